@@ -1,0 +1,1 @@
+"""The catalogue of exercises and the machinery that serves and grades them."""

@@ -1,0 +1,1 @@
+"""The drawing vocabulary: machines, beams and shafts as SVG."""

@@ -1,0 +1,1 @@
+"""The answer language, units and the judges of one answer."""

@@ -1,0 +1,1 @@
+"""Reference solvers and oracles. SI in, SI out, no state."""

@@ -1,0 +1,1 @@
+"""HTTP API, pages and storage. The only room that knows FastAPI, Pydantic and SQLAlchemy."""
