@@ -1,0 +1,64 @@
+"""Judge of one choice among named options."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Samples
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import Symbols, latin
+from graders.verdict import RIGHT, Verdict, wrong
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One of the options; typed as its letter (a, b, …) or its name."""
+
+    options: tuple[str, ...]
+    step: str = ""
+    weight: float = 1.0
+    kind: ClassVar[str] = "choice"
+
+    def parse(self, text: str, symbols: Symbols) -> str:
+        """Read a letter or the name of an option; raises AnswerSyntaxError."""
+        typed = text.strip().rstrip(").")
+        if not typed:
+            raise AnswerSyntaxError(Reason.EMPTY, 0)
+        letters = {"abcdefghijkl"[i]: option for i, option in enumerate(self.options)}
+        for spelling in (typed, typed.lower(), latin(typed).lower()):
+            if spelling in self.options:
+                return spelling
+            if spelling in letters:
+                return letters[spelling]
+        raise AnswerSyntaxError(Reason.NOT_A_CHOICE, 0, typed[:20])
+
+    def check(self, answer: str, reference: str) -> Verdict:
+        """Judge exactly."""
+        return RIGHT if answer == reference else wrong()
+
+    def show(self, reference: str) -> str:
+        """Write the option's name."""
+        return reference
+
+    def samples(self, reference: str) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        letter = "abcdefghijkl"[self.options.index(reference)]
+        return Samples((reference, letter, f" {letter}) "), tuple(o for o in self.options if o != reference), ("", "?", "zz"))
+
+    def echo(self, answer: str) -> Echo:
+        """Say which option was read."""
+        return Echo("", answer)
+
+    def carried(self, answer: str) -> str:
+        """Give the option."""
+        return answer
+
+    def apart(self, one: str, other: str) -> float:
+        """Two options are the same or far apart."""
+        return 0.0 if one == other else float("inf")
+
+    def describe(self) -> Mapping[str, Any]:
+        """Give the options in their order."""
+        return {"options": list(self.options)}

@@ -1,0 +1,65 @@
+"""Judge of a whole number."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Samples
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import Symbols
+from graders.verdict import RIGHT, Code, Verdict, wrong
+
+WHOLE = re.compile(r"\s*(?:[^\W\d]\w{0,15}\s*=\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{1,9})?\s*")
+
+
+@dataclass(frozen=True, slots=True)
+class Integer:
+    """A whole number, judged exactly."""
+
+    step: str = ""
+    weight: float = 1.0
+    kind: ClassVar[str] = "integer"
+
+    def parse(self, text: str, symbols: Symbols) -> int:
+        """Read `12`, `-3`, `z3 = 45`; raises AnswerSyntaxError."""
+        if not text.strip():
+            raise AnswerSyntaxError(Reason.EMPTY, 0)
+        found = WHOLE.fullmatch(text) if len(text) <= 60 else None
+        if found is None or not found[2].isascii():
+            raise AnswerSyntaxError(Reason.NOT_AN_INTEGER, 0, text.strip()[:20])
+        return -int(found[2]) if found[1] in ("-", "−", "–") else int(found[2])
+
+    def check(self, answer: int, reference: float) -> Verdict:
+        """Judge exactly; the opposite sign is named."""
+        if answer == reference:
+            return RIGHT
+        return wrong(Code.OPPOSITE_SIGN if answer == -reference else Code.WRONG)
+
+    def show(self, reference: float) -> str:
+        """Write the number."""
+        return str(round(reference))
+
+    def samples(self, reference: float) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        whole = round(reference)
+        return Samples((f"{whole}", f" {whole},0 "), (f"{whole + 1}", f"{-whole - 1}"), ("", "2,5", "x", "1/2"))
+
+    def echo(self, answer: int) -> Echo:
+        """Say which number was read."""
+        sign = "<mo>−</mo>" if answer < 0 else ""
+        return Echo(f"<math><mrow>{sign}<mn>{abs(answer)}</mn></mrow></math>", str(answer))
+
+    def carried(self, answer: int) -> float:
+        """Give the number."""
+        return float(answer)
+
+    def apart(self, one: float, other: float) -> float:
+        """Two whole numbers are the same or far apart."""
+        return 0.0 if round(one) == round(other) else float("inf")
+
+    def describe(self) -> Mapping[str, Any]:
+        """A whole number needs no further description."""
+        return {}

@@ -1,0 +1,348 @@
+"""Tokens to tree: precedence climbing, every error with its place and, where possible, a proposal."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key
+from graders.language.tokens import Token, exponent_of, tokenize
+from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
+
+MAX_DEPTH = 60  # brackets, signs and powers within one another
+MAX_NODES = 1500
+MAX_MATRIX = 16
+RELATIONS = ("=", "<", ">", "<=", ">=")
+STARTS = ("number", "name", "(", "[", "√")
+
+
+def parse(text: str, symbols: Symbols) -> Tree:
+    """Read a text over the declared symbols.
+
+    Raises:
+        AnswerSyntaxError: The text is not in the language; names the place and what may be meant.
+    """
+    return _Parser(tokenize(text), symbols).whole()
+
+
+@lru_cache(maxsize=4096)
+def parse_line(text: str) -> Tree:
+    """Read a line written by an author, in which every name stands for itself; the result is remembered."""
+    return _Parser(tokenize(text), None).whole()
+
+
+class _Parser:
+    """One pass over the tokens; `at` is the next of them."""
+
+    def __init__(self, tokens: list[Token], symbols: Symbols | None) -> None:
+        self.tokens, self.symbols = tokens, symbols
+        self.at = self.depth = self.nodes = self.angles = 0
+
+    @property
+    def token(self) -> Token:
+        return self.tokens[self.at]
+
+    def whole(self) -> Tree:
+        tree = self.relation()
+        if self.token.kind != "end":
+            extra = Reason.EXTRA_BRACKET if self.token.kind in (")", "]") else Reason.EXTRA_TEXT
+            raise self.error(extra)
+        return tree
+
+    def error(self, reason: Reason, token: Token | None = None, meant: str = "") -> AnswerSyntaxError:
+        token = token or self.token
+        return AnswerSyntaxError(reason, token.position, token.text, meant)
+
+    def accept(self, kind: str) -> bool:
+        found = self.token.kind == kind
+        self.at += found
+        return found
+
+    def close(self, kind: str, opened: Token) -> None:
+        if not self.accept(kind):
+            raise self.error(Reason.NEEDS_BRACKET if self.token.kind == "end" else Reason.EXTRA_TEXT, None, opened.text)
+
+    def relation(self) -> Tree:
+        sides, operators = [self.sum()], []
+        while self.token.kind in RELATIONS:
+            operators.append(self.token.kind)
+            self.at += 1
+            sides.append(self.sum())
+        return Relation(tuple(operators), tuple(sides)) if operators else sides[0]
+
+    def enter(self, token: Token) -> None:
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise self.error(Reason.TOO_DEEP, token)
+
+    def count(self, tree: Tree) -> Tree:
+        self.nodes += 1
+        if self.nodes > MAX_NODES:
+            raise self.error(Reason.TOO_LONG)
+        return tree
+
+    def sum(self) -> Tree:
+        tree = self.product()
+        while self.token.kind in ("+", "-"):
+            operator = self.token.kind
+            self.at += 1
+            tree = self.count(Binary(operator, tree, self.product()))
+        return tree
+
+    def product(self) -> Tree:
+        tree = self.signed()
+        divided: Tree | None = None
+        while True:
+            token = self.token
+            if token.kind in ("*", "/"):
+                self.at += 1
+                right = self.signed()
+                divided = right if token.kind == "/" else None
+                tree = self.count(Binary(token.kind, tree, right))
+            elif self.begins_factor():
+                self.refuse_doubt(tree, divided, token)
+                tree, divided = self.count(Binary("*", tree, self.power(), implicit=True)), None
+            else:
+                return tree
+
+    def begins_factor(self) -> bool:
+        if self.angles and self.token.kind == ">":
+            return False
+        return self.token.kind in STARTS
+
+    def refuse_doubt(self, tree: Tree, divided: Tree | None, token: Token) -> None:
+        """`a/2b` may be (a/2)b or a/(2b): ask, unless a plain fraction of numbers stands in front."""
+        if token.kind == "number" and isinstance(_last(tree), Number):
+            raise self.error(Reason.EXTRA_TEXT, token)
+        plain = isinstance(tree, Binary) and isinstance(tree.left, Number) and isinstance(tree.right, Number)
+        if divided is not None and not plain and not isinstance(divided, Grid):
+            raise self.error(Reason.AMBIGUOUS_FRACTION, token)
+
+    def signed(self) -> Tree:
+        token = self.token
+        if token.kind in ("+", "-"):
+            self.at += 1
+            self.enter(token)
+            tree = self.count(Unary(token.kind, self.signed()))
+            self.depth -= 1
+            return tree
+        return self.power()
+
+    def power(self) -> Tree:
+        base = self.postfix()
+        token = self.token
+        if self.accept("^"):
+            self.enter(token)
+            base = self.count(Binary("^", base, self.signed()))
+            self.depth -= 1
+        elif token.kind == "raised":
+            self.at += 1
+            base = self.count(Binary("^", base, self.raised(token)))
+        return base
+
+    def raised(self, token: Token) -> Tree:
+        digits = "".join(SUPERSCRIPTS[c] for c in token.text)
+        if len(digits) > 4:
+            raise self.error(Reason.TOO_LARGE, token)
+        return Unary("-", Number(digits[1:])) if digits[0] == "-" else Number(digits)
+
+    def postfix(self) -> Tree:
+        tree = self.atom()
+        if self.token.kind == "°":
+            self.at += 1
+            return self.arc(tree)
+        while self.token.kind == "[" and isinstance(tree, Name | Index):
+            tree = self.index(tree)
+        return tree
+
+    def arc(self, degrees: Tree) -> Tree:
+        """Read what follows a degree sign: minutes and seconds of arc, if they are typed."""
+        if isinstance(degrees, Number) and self.token.kind == "number" and self.tokens[self.at + 1].kind == "'":
+            minutes, seconds = self.number(), None
+            self.at += 1
+            if self.token.kind == "number" and self.tokens[self.at + 1].kind in ('"', "'"):
+                seconds = self.number()
+                self.at += 2 if self.token.kind == "'" and self.tokens[self.at + 1].kind == "'" else 1
+            return self.count(Angle(degrees, minutes, seconds))
+        return self.count(Unary("°", degrees))
+
+    def index(self, matrix: Tree) -> Tree:
+        opened = self.token
+        self.at += 1
+        row = self.small_integer()
+        if not (self.accept(",") or self.accept(";")):
+            raise self.error(Reason.NEEDS_ARGUMENTS)
+        column = self.small_integer()
+        self.close("]", opened)
+        return self.count(Index(matrix, row, column))
+
+    def small_integer(self) -> int:
+        token = self.token
+        if token.kind != "number" or not token.text.isdigit() or not 1 <= int(token.text[:3]) <= MAX_MATRIX:
+            raise self.error(Reason.NOT_AN_INTEGER)
+        self.at += 1
+        return int(token.text)
+
+    def atom(self) -> Tree:
+        token = self.token
+        if token.kind == "number":
+            return self.count(self.number())
+        if token.kind == "name":
+            self.at += 1
+            return self.count(self.named(token))
+        if token.kind == "[":
+            return self.matrix()
+        if token.kind in ("(", "|", "<"):
+            return self.bracket()
+        if token.kind == "√":
+            self.at += 1
+            self.enter(token)
+            tree = Call("sqrt", (self.power() if self.token.kind != "number" else self.count(self.number()),))
+            self.depth -= 1
+            return self.count(tree)
+        raise self.error(Reason.NEEDS_OPERAND)
+
+    def number(self) -> Number:
+        token = self.token
+        self.at += 1
+        try:
+            return Number(*exponent_of(token.text))
+        except OverflowError:
+            raise self.error(Reason.TOO_LARGE, token) from None
+
+    def bracket(self) -> Tree:
+        opened = self.token
+        self.at += 1
+        self.enter(opened)
+        self.angles += opened.kind == "<"
+        tree = self.sum()
+        self.angles -= opened.kind == "<"
+        self.close({"(": ")", "|": "|", "<": ">"}[opened.kind], opened)
+        self.depth -= 1
+        if opened.kind == "|":
+            return self.count(Call("abs", (tree,)))
+        return self.macaulay(tree) if opened.kind == "<" else tree
+
+    def macaulay(self, inside: Tree) -> Tree:
+        """`<u>^n`; without a power the bracket means `<u>^1`."""
+        if self.accept("^"):
+            return self.count(Call("macaulay", (inside, self.signed())))
+        if self.token.kind == "raised":
+            token = self.token
+            self.at += 1
+            return self.count(Call("macaulay", (inside, self.raised(token))))
+        return self.count(Call("macaulay", (inside, Number("1"))))
+
+    def matrix(self) -> Tree:
+        opened = self.token
+        self.at += 1
+        self.enter(opened)
+        nested = self.token.kind == "["
+        rows = [self.row(nested)]
+        while self.accept(";") or (nested and self.accept(",")):
+            rows.append(self.row(nested))
+        self.close("]", opened)
+        self.depth -= 1
+        if len({len(row) for row in rows}) > 1:
+            raise self.error(Reason.RAGGED_MATRIX, opened)
+        if max(len(rows), len(rows[0])) > MAX_MATRIX:
+            raise self.error(Reason.TOO_LARGE, opened)
+        return self.count(Grid(tuple(rows)))
+
+    def row(self, nested: bool) -> tuple[Tree, ...]:
+        opened = self.token
+        if nested and not self.accept("["):
+            raise self.error(Reason.NEEDS_BRACKET, None, "[")
+        entries = [self.sum()]
+        while self.accept(",") or (nested and self.accept(";")):
+            entries.append(self.sum())
+        if nested:
+            self.close("]", opened)
+        return tuple(entries)
+
+    def named(self, token: Token) -> Tree:
+        symbol = self.symbol(token.text)
+        if symbol is not None:
+            return Name(symbol)
+        function = function_named(token.text)
+        if function is not None:
+            return self.call(function, token)
+        if key(token.text) == "pi":
+            return Name("pi")
+        if token.text in ("deg", "grad", "град", "st"):  # never declared here, so it is the unit of an angle
+            raise self.error(Reason.UNKNOWN_NAME, token, "°")
+        raise self.unknown(token)
+
+    def symbol(self, spelling: str) -> str | None:
+        if self.symbols is None:
+            return None if function_named(spelling) or spelling == "pi" else spelling
+        return self.symbols.find(spelling)
+
+    def unknown(self, token: Token) -> AnswerSyntaxError:
+        assert self.symbols is not None
+        pieces = self.symbols.split(token.text.rstrip("'"))
+        if pieces:
+            return self.error(Reason.UNKNOWN_NAME, token, "·".join(pieces))
+        for place, char in enumerate(token.text):
+            if char in LOOK_ALIKES and any(c.isascii() and c.isalpha() for c in token.text):
+                return AnswerSyntaxError(Reason.LOOK_ALIKE, token.position + place, char, LOOK_ALIKES[char])
+        folded = key(token.text).lower()
+        near = sorted(name for name in self.symbols.names if key(name).lower() == folded)
+        return self.error(Reason.UNKNOWN_NAME, token, near[0] if near else "")
+
+    def call(self, function: str, token: Token) -> Tree:
+        power = self.function_power(token)
+        self.enter(token)
+        arguments = self.arguments(function, token)
+        self.depth -= 1
+        least, most = FUNCTIONS[function]
+        if not least <= len(arguments) <= most:
+            raise self.error(Reason.NEEDS_ARGUMENTS, token)
+        tree = self.count(Call(function, arguments))
+        return self.count(Binary("^", tree, power)) if power else tree
+
+    def function_power(self, token: Token) -> Tree | None:
+        """`sin^2(x)` is (sin x)^2; `sin^-1(x)` is asked about."""
+        if self.token.kind not in ("^", "raised"):
+            return None
+        mark = self.token
+        self.at += 1
+        power = self.raised(mark) if mark.kind == "raised" else self.exponent()
+        if isinstance(power, Unary):
+            raise self.error(Reason.INVERSE_OR_RECIPROCAL, token, "a" + token.text)
+        return power
+
+    def exponent(self) -> Tree:
+        if self.token.kind == "-":
+            return Unary("-", Number("1"))
+        if self.token.kind != "number":
+            raise self.error(Reason.NEEDS_OPERAND)
+        return self.number()
+
+    def arguments(self, function: str, token: Token) -> tuple[Tree, ...]:
+        opened = self.token
+        if not self.accept("("):
+            return (self.bare_argument(token),)
+        found = [self.sum()]
+        while self.accept(";") or self.accept(","):
+            found.append(self.sum())
+        self.close(")", opened)
+        return tuple(found)
+
+    def bare_argument(self, token: Token) -> Tree:
+        """`sin α1`, `sin 2α1`: one name with a number in front; more is asked about."""
+        if self.token.kind in ("end", "+", "*", "/", ")"):
+            raise self.error(Reason.NEEDS_ARGUMENTS, token)
+        tree = self.power() if self.token.kind != "-" else self.signed()
+        if isinstance(tree, Number) and self.token.kind == "name" and not function_named(self.token.text):
+            tree = self.count(Binary("*", tree, self.power(), implicit=True))
+        following = self.token
+        if following.kind in ("number", "name", "√") and not function_named(following.text):
+            raise self.error(Reason.AMBIGUOUS_ARGUMENT, following)
+        return tree
+
+
+def _last(tree: Tree) -> Tree:
+    while isinstance(tree, Binary) and tree.operator in ("*", "/"):
+        tree = tree.right
+    return tree

@@ -1,0 +1,92 @@
+"""Names a student may type: the declared symbols, the functions, and their many spellings."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterable
+from functools import lru_cache
+
+GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ϵ": "epsilon", "ζ": "zeta", "η": "eta",
+    "θ": "theta", "ϑ": "theta", "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "µ": "mu", "ν": "nu", "ξ": "xi",
+    "π": "pi", "ρ": "rho", "σ": "sigma", "τ": "tau", "υ": "upsilon", "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi",
+    "ω": "omega", "Γ": "Gamma", "Δ": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
+    "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega", "\u2126": "Omega", "\u2206": "Delta",
+}  # fmt: skip
+SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
+LOOK_ALIKES = dict(zip("АВЕКМНОРСТХаеорсухіѕј", "ABEKMHOPCTXaeopcyxisj", strict=True))  # Cyrillic to Latin
+DOTS = {"\u0307": "_d", "\u0308": "_dd"}  # a dot over a name is its rate
+
+FUNCTIONS: dict[str, tuple[int, int]] = {  # least and greatest number of arguments
+    **dict.fromkeys(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot"), (1, 1)),
+    **dict.fromkeys(("sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "sign"), (1, 1)),
+    **dict.fromkeys(("atan2", "root", "macaulay"), (2, 2)),
+    **dict.fromkeys(("min", "max"), (2, 12)),
+    "log": (1, 2),
+}
+ALIASES = {
+    "tg": "tan", "ctg": "cot", "cotg": "cot", "ctan": "cot", "sen": "sin",
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctg": "atan", "atg": "atan",
+    "arcctg": "acot", "arccot": "acot", "arcctan": "acot", "actg": "acot", "arctan2": "atan2", "arctg2": "atan2",
+    "sh": "sinh", "ch": "cosh", "th": "tanh", "tgh": "tanh", "lg": "log", "log10": "log", "sgn": "sign",
+    "pierw": "sqrt", "pierwiastek": "sqrt", "корень": "sqrt", "znak": "sign", "знак": "sign", "modul": "abs",
+    "moduł": "abs", "модуль": "abs",
+}  # fmt: skip
+
+
+@lru_cache(maxsize=4096)
+def key(spelling: str) -> str:
+    """Fold the spellings of one symbol: `α₁`, `alpha_1` and `alpha1` have one key, `R_A` and `RA` too."""
+    letters = "".join(DOTS.get(c) or GREEK.get(c) or SUBSCRIPTS.get(c) or c for c in unicodedata.normalize("NFD", spelling))
+    return unicodedata.normalize("NFC", letters.replace("_", "").replace("′", "'"))
+
+
+def latin(spelling: str) -> str:
+    """Replace Cyrillic look-alikes by the Latin letters they look like."""
+    return "".join(LOOK_ALIKES.get(c, c) for c in spelling)
+
+
+def function_named(spelling: str) -> str | None:
+    """Give the function of the language that a spelling means, or None."""
+    folded = spelling if spelling in FUNCTIONS else ALIASES.get(spelling, "")
+    return folded if folded in FUNCTIONS else None
+
+
+class Symbols:
+    """The symbols declared for one answer; `names` are those it may use, `known` those that mean something here."""
+
+    __slots__ = ("_by_key", "known", "names")
+
+    def __init__(self, names: Iterable[str], known: Iterable[str] = ()) -> None:
+        self.names = frozenset(names)
+        self.known = frozenset(known) | self.names
+        self._by_key: dict[str, str] = {}
+        for name in self.known:
+            other = self._by_key.setdefault(key(name), name)
+            if other != name:
+                raise ValueError(f"symbols {other!r} and {name!r} cannot be told apart when typed")
+
+    def find(self, spelling: str) -> str | None:
+        """Give the declared symbol that a spelling means, look-alike letters mapped, or None."""
+        return self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
+
+    def split(self, spelling: str) -> list[str]:
+        """Cut a run of letters into declared names and functions, fewest pieces first; empty if it cannot be cut."""
+        found = _cut(spelling, tuple(sorted(self.known)))
+        return list(found) if found else []
+
+
+@lru_cache(maxsize=256)
+def _cut(spelling: str, known: tuple[str, ...]) -> tuple[str, ...] | None:
+    symbols = Symbols(known)
+    best: list[tuple[str, ...] | None] = [()] + [None] * len(spelling)
+    for end in range(1, len(spelling) + 1):
+        for start in range(max(0, end - 16), end):
+            before, piece = best[start], spelling[start:end]
+            if before is None or not (symbols.find(piece) or function_named(piece) or piece.isdigit()):
+                continue
+            best_here = best[end]
+            if best_here is None or len(before) + 1 < len(best_here):
+                best[end] = (*before, piece)
+    return best[len(spelling)]

@@ -1,0 +1,82 @@
+"""Tree to text that reads back as the same tree, and to LaTeX and MathML for eyes."""
+
+from __future__ import annotations
+
+from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
+
+LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 4}
+ATOM = 5
+
+
+def level(tree: Tree) -> int:
+    """Give how tightly the outermost operation binds: sum 1, product 2, sign 3, power 4, atom 5."""
+    match tree:
+        case Relation():
+            return 0
+        case Binary(operator=operator):
+            return LEVELS[operator]
+        case Unary(operator="°"):
+            return ATOM - 1
+        case Unary():
+            return 3
+        case _:
+            return ATOM
+
+
+def number_text(number: Number, comma: bool = False) -> str:
+    """Write a literal, with a decimal comma if asked."""
+    digits = number.digits.replace(".", ",") if comma else number.digits
+    return f"{digits}e{number.exponent}" if number.exponent else digits
+
+
+def text_of(tree: Tree) -> str:
+    """Write a tree as a student could type it; `parse` reads the same tree back."""
+    match tree:
+        case Number():
+            return number_text(tree)
+        case Name(name=name):
+            return name
+        case Unary(operator="°", operand=operand):
+            return _in(operand, ATOM) + "°"
+        case Unary(operator=operator, operand=operand):
+            return operator + _in(operand, 3)
+        case Binary(operator=operator, left=left, right=right):
+            return _binary(operator, left, right, tree.implicit)
+        case Call(function="macaulay", arguments=(inside, power)):
+            return f"<{_in(inside, 1)}>^{_in(power, 3)}"
+        case Call(function=function, arguments=arguments):
+            return f"{function}({'; '.join(text_of(a) for a in arguments)})"
+        case Angle(degrees=degrees, minutes=minutes, seconds=seconds):
+            tail = f'{number_text(seconds)}"' if seconds else ""
+            return f"{number_text(degrees)}°{number_text(minutes)}'{tail}"
+        case Grid(rows=rows):
+            return "[" + ", ".join("[" + "; ".join(text_of(e) for e in row) + "]" for row in rows) + "]"
+        case Index(matrix=matrix, row=row, column=column):
+            return f"{text_of(matrix)}[{row}; {column}]"
+        case Relation(operators=operators, sides=sides):
+            pieces = [text_of(sides[0])]
+            for operator, side in zip(operators, sides[1:], strict=True):
+                pieces += [operator, text_of(side)]
+            return " ".join(pieces)
+
+
+def _in(tree: Tree, least: int) -> str:
+    return text_of(tree) if level(tree) >= least else f"({text_of(tree)})"
+
+
+def _binary(operator: str, left: Tree, right: Tree, implicit: bool) -> str:
+    if operator == "^":
+        return f"{_in(left, ATOM)}^{_in(right, 3)}"
+    if implicit:
+        return f"{_in(left, 2)} ({text_of(right)})" if _glues(right) else f"{_in(left, 2)} {_in(right, 4)}"
+    here = LEVELS[operator]
+    after = here + 1
+    gap = " " if here == 1 else ""
+    return f"{_in(left, here)}{gap}{operator}{gap}{_in(right, after)}"
+
+
+def _glues(tree: Tree) -> bool:
+    """Tell whether a right factor, put beside another, would read as something else."""
+    while isinstance(tree, Binary) and tree.operator == "^":
+        tree = tree.left
+    return isinstance(tree, Number | Grid | Angle) or (isinstance(tree, Unary) and tree.operator == "°")

@@ -1,0 +1,156 @@
+"""Text to tokens: one master pattern without backtracking, positions kept in the text as typed."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from typing import NamedTuple
+
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
+
+MAX_LENGTH = 2000
+MAX_DIGITS = 60
+MAX_EXPONENT = 999  # of a power of ten in a literal
+
+SAME = {
+    "·": "*", "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "∗": "*", "−": "-", "–": "-", "—": "-", "‐": "-",
+    "‑": "-", "÷": "/", "∕": "/", "⁄": "/", ":": "/", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">=", "’": "'", "′": "'",
+    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "⟨": "<", "⟩": ">",
+}  # fmt: skip
+SPACES = " \t\r\n\u00a0\u2009\u202f\u2002\u2003\u2007"
+LETTER = r"[^\W\d_²³¹⁰ⁱ-₉ₐ-ₜªº]"  # a letter of any script; digits and raised or lowered figures are not letters
+TOKEN = re.compile(
+    rf"(?P<number>(?:\d+(?:[.,]\d+)?|\.\d+))"
+    rf"|(?P<name>{LETTER}(?:{LETTER}|[\d_₀-₉\u0307\u0308])*'*)"
+    r"|(?P<raised>[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√°'\"%])"
+)
+TWO_ARGUMENTS = ("atan2", "arctg2", "arctan2", "root", "macaulay", "min", "max", "log", "pierw")
+
+
+class Token(NamedTuple):
+    """A piece of text: its kind (number, name, raised, an operator itself, or end), text and place."""
+
+    kind: str
+    text: str
+    position: int
+
+
+def tokenize(text: str) -> list[Token]:
+    """Cut a text into tokens, the last of kind `end`.
+
+    Raises:
+        AnswerSyntaxError: Empty or too long text, a character that is not in the language, a number that is too long.
+    """
+    if len(text) > MAX_LENGTH:
+        raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
+    plain = _plain(text)
+    commas = _separating_commas(plain)
+    tokens: list[Token] = []
+    place = 0
+    while place < len(plain):
+        if plain[place] == " ":
+            place += 1
+            continue
+        token = _next(plain, place, commas)
+        tokens.append(token)
+        place = token.position + len(token.text)
+    if not tokens:
+        raise AnswerSyntaxError(Reason.EMPTY, 0)
+    tokens.append(Token("end", "", len(text)))
+    return [_canonical(token) for token in tokens]
+
+
+def _plain(text: str) -> str:
+    """Map each character to one character of the language, so that places stay as typed."""
+    if text.isascii() and text.isprintable() and ":" not in text:
+        return text
+    mapped = []
+    for place, char in enumerate(text):
+        if char in SPACES:
+            mapped.append(" ")
+        elif "\uff01" <= char <= "\uff5e":  # full-width forms
+            mapped.append(chr(ord(char) - 0xFEE0))
+        elif unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn") or (char.isdigit() and not _figure(char)):
+            raise AnswerSyntaxError(Reason.BAD_CHARACTER, place, f"U+{ord(char):04X}")
+        else:
+            same = SAME.get(char, char)
+            mapped.append(same if len(same) == 1 else char)
+    return "".join(mapped)
+
+
+def _figure(char: str) -> bool:
+    return char.isascii() or char in SUPERSCRIPTS or "₀" <= char <= "₉"
+
+
+def _next(plain: str, place: int, separating: frozenset[int]) -> Token:
+    char = plain[place]
+    if char in "≤≥⩽⩾":
+        return Token(SAME[char], char, place)
+    found = TOKEN.match(plain, place)
+    if found is None:
+        reason = Reason.LOOK_ALIKE if char in LOOK_ALIKES else Reason.BAD_CHARACTER
+        raise AnswerSyntaxError(reason, place, char)
+    kind, text = found.lastgroup or "", found.group()
+    if kind == "number":
+        return _number(plain, place, text, separating)
+    return Token(kind if kind != "operator" else text, text, place)
+
+
+def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> Token:
+    """Read a literal; a comma is decimal directly between digits unless its bracket makes it a separator."""
+    comma = digits.find(",")
+    if comma >= 0 and place + comma in separating:
+        return Token("number", digits[:comma], place)
+    end = place + len(digits)
+    power = end
+    if power < len(plain) and plain[power] in "eE":
+        power += 1
+        if power < len(plain) and plain[power] in "+-":
+            power += 1
+        start = power
+        while power < len(plain) and "0" <= plain[power] <= "9":
+            power += 1
+        end = power if power > start else end
+    if len(digits) > MAX_DIGITS:
+        raise AnswerSyntaxError(Reason.TOO_LARGE, place, digits[:12] + "…")
+    return Token("number", plain[place:end], place)
+
+
+def _canonical(token: Token) -> Token:
+    if token.kind == "**":
+        return token._replace(kind="^")
+    return token
+
+
+def exponent_of(literal: str) -> tuple[str, int]:
+    """Split a literal into digits with a point and the power of ten; raises OverflowError beyond the bound."""
+    digits, _, power = literal.replace("E", "e").replace(",", ".").partition("e")
+    if len(power.lstrip("+-0")) > 4 or abs(int(power or "0")) > MAX_EXPONENT:
+        raise OverflowError(literal)
+    digits = "0" + digits if digits.startswith(".") else digits
+    return digits, int(power or "0")
+
+
+def _separating_commas(plain: str) -> frozenset[int]:
+    """Find the commas that separate: inside a matrix row or a two-argument call, unless that bracket also holds `;`."""
+    found: list[int] = []
+    stack: list[tuple[bool, list[int], list[bool]]] = []
+    for place, char in enumerate(plain):
+        if char in "([":
+            stack.append((char == "[" or _calls_two(plain, place), [], [False]))
+        elif char in ")]" and stack:
+            separates, commas, semicolon = stack.pop()
+            if separates and not semicolon[0]:
+                found.extend(commas)
+        elif stack and char == ",":
+            stack[-1][1].append(place)
+        elif stack and char == ";":
+            stack[-1][2][0] = True
+    return frozenset(found)
+
+
+def _calls_two(plain: str, place: int) -> bool:
+    head = plain[max(0, place - 8) : place].rstrip()
+    return head.endswith(TWO_ARGUMENTS)

@@ -1,0 +1,126 @@
+"""The tree of an expression: what the student wrote, not a simplified form of it.
+
+Round trip: `parse(text_of(tree)) == tree` for every tree the parser can make.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An unsigned decimal as typed: digits with a point at most, and a power of ten."""
+
+    digits: str
+    exponent: int = 0
+
+    @property
+    def exact(self) -> Fraction:
+        """Give the exact rational value; the reader bounds the exponent before this is called."""
+        return Fraction(self.digits) * Fraction(10) ** self.exponent
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A declared symbol, or `pi`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Unary:
+    """A sign in front (`+`, `-`) or the degree sign behind (`°`)."""
+
+    operator: str
+    operand: Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """One of `+ - * / ^`; `implicit` marks a product written by juxtaposition."""
+
+    operator: str
+    left: Tree
+    right: Tree
+    implicit: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function of the language applied to its arguments."""
+
+    function: str
+    arguments: tuple[Tree, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """Degrees with minutes and seconds of arc: `12°22'12"`."""
+
+    degrees: Number
+    minutes: Number
+    seconds: Number | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """A matrix literal, rows of equal length."""
+
+    rows: tuple[tuple[Tree, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Index:
+    """One element of a matrix, row and column counted from 1."""
+
+    matrix: Tree
+    row: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """A chain `a = b`, `a < b <= c`; one operator fewer than sides."""
+
+    operators: tuple[str, ...]
+    sides: tuple[Tree, ...]
+
+
+Tree: TypeAlias = Number | Name | Unary | Binary | Call | Angle | Grid | Index | Relation
+
+
+def children(tree: Tree) -> tuple[Tree, ...]:
+    """Give the direct subtrees in the order they are written."""
+    match tree:
+        case Unary(operand=operand):
+            return (operand,)
+        case Binary(left=left, right=right):
+            return (left, right)
+        case Call(arguments=arguments):
+            return arguments
+        case Grid(rows=rows):
+            return tuple(entry for row in rows for entry in row)
+        case Index(matrix=matrix):
+            return (matrix,)
+        case Relation(sides=sides):
+            return sides
+        case _:
+            return ()
+
+
+def names(tree: Tree) -> frozenset[str]:
+    """Give the symbols that occur in a tree, `pi` left out."""
+    return frozenset(node.name for node in walk(tree) if isinstance(node, Name) and node.name != "pi")
+
+
+def walk(tree: Tree) -> Iterator[Tree]:
+    """Visit a tree and all its subtrees, parents first."""
+    pending = [tree]
+    while pending:
+        node = pending.pop()
+        yield node
+        pending.extend(reversed(children(node)))

@@ -1,0 +1,126 @@
+"""Judge of a numeric matrix, entry by entry."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Samples
+from graders.judge import Matrix as Rows
+from graders.language import doubles
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.mathml import mathml_of
+from graders.language.parser import parse
+from graders.language.symbols import Symbols
+from graders.language.text import text_of
+from graders.language.tree import Grid, Relation, Tree, names
+from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
+
+GREATEST = 1e99
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """A matrix as typed and its numbers."""
+
+    tree: Grid
+    rows: Rows
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """A matrix of numbers in SI units; an entry is right within rtol of max(1, largest entry).
+
+    Args:
+        rows: Number of rows, shown as a grid.
+        columns: Number of columns.
+        rtol: Tolerance of an entry over the scale max(1, |largest entry|).
+        step: The step asked for; empty for the step named like the answer.
+        weight: Share in the score.
+    """
+
+    rows: int
+    columns: int
+    rtol: float = 0.002
+    step: str = ""
+    weight: float = 1.0
+    kind: ClassVar[str] = "matrix"
+
+    def parse(self, text: str, symbols: Symbols) -> Typed:
+        """Read `[[1; 0], [0; 1]]` or `[1, 0; 0, 1]`; entries may be constant expressions such as `cos(30°)`."""
+        tree = parse(text, symbols)
+        if isinstance(tree, Relation) and tree.operators == ("=",):
+            tree = tree.sides[1]
+        if not isinstance(tree, Grid):
+            raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
+        return Typed(tree, tuple(tuple(_number(entry, text) for entry in row) for row in tree.rows))
+
+    def check(self, answer: Typed, reference: Rows) -> Verdict:
+        """Judge each entry; credit falls to nothing when half of the entries are wrong."""
+        if (len(answer.rows), len(answer.rows[0])) != (len(reference), len(reference[0])):
+            return wrong(Code.WRONG_SHAPE)
+        bound = self.rtol * _scale(reference) * (1 + 1e-12)
+        off = tuple(
+            (i, j)
+            for i, (row, right) in enumerate(zip(answer.rows, reference, strict=True), 1)
+            for j, (a, b) in enumerate(zip(row, right, strict=True), 1)
+            if not abs(a - b) <= bound
+        )
+        if not off:
+            return RIGHT
+        total = len(reference) * len(reference[0])
+        score = max(0.0, 1 - 2 * len(off) / total)
+        return Verdict(score, Code.SOME_ENTRIES if score else Code.WRONG, Entries(off, total))
+
+    def show(self, reference: Rows) -> str:
+        """Write a reference with eight decimals."""
+        return "[" + ", ".join("[" + "; ".join(_decimal(e) for e in row) + "]" for row in reference) + "]"
+
+    def samples(self, reference: Rows) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        flat = "; ".join(" , ".join(_decimal(e) for e in row) for row in reference)
+        off = tuple(tuple(e + 9 * _scale(reference) for e in row) for row in reference)
+        return Samples((self.show(reference), f"[{flat}]"), (self.show(off), "[[1]]"), ("", "[[1; 2]", "3", "[[a]]"))
+
+    def echo(self, answer: Typed) -> Echo:
+        """Say which matrix was read."""
+        return Echo(mathml_of(answer.tree), text_of(answer.tree))
+
+    def carried(self, answer: Typed) -> Rows | None:
+        """Give the numbers, if the shape is the one asked for."""
+        return answer.rows if (len(answer.rows), len(answer.rows[0])) == (self.rows, self.columns) else None
+
+    def apart(self, one: Rows, other: Rows) -> float:
+        """Give the largest difference of an entry in tolerances."""
+        if (len(one), len(one[0])) != (len(other), len(other[0])):
+            return math.inf
+        bound = self.rtol * max(_scale(one), _scale(other))
+        pairs = zip((e for row in one for e in row), (e for row in other for e in row), strict=True)
+        return max(abs(a - b) for a, b in pairs) / bound
+
+    def describe(self) -> Mapping[str, Any]:
+        """Give shape and tolerance of the field."""
+        return {"rows": self.rows, "columns": self.columns, "rtol": self.rtol}
+
+
+def _scale(rows: Rows) -> float:
+    return max(1.0, *(abs(e) for row in rows for e in row))
+
+
+def _decimal(entry: float) -> str:
+    return f"{entry:.8f}".rstrip("0").rstrip(".") if abs(entry) >= 5e-9 else "0"
+
+
+def _number(entry: Tree, text: str) -> float:
+    if names(entry):
+        name = min(names(entry))
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, max(0, text.find(name)), name)
+    try:
+        (value,) = doubles.run(doubles.line_runner(entry), [])
+    except (doubles.UndefinedError, ValueError):
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0, text_of(entry)[:20]) from None
+    if not isinstance(value, float) or not abs(value) <= GREATEST:
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0, text_of(entry)[:20])
+    return value

@@ -1,0 +1,210 @@
+"""Judge of a number with its unit."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Samples
+from graders.language import doubles
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.mathml import mathml_of
+from graders.language.parser import parse
+from graders.language.symbols import Symbols, function_named, key
+from graders.language.text import text_of
+from graders.language.tokens import Token, tokenize
+from graders.language.tree import Angle, Number, Tree, Unary, walk
+from graders.units import Unit, fits, read_unit
+from graders.verdict import RIGHT, Code, Verdict, wrong
+
+GREATEST = 1e99
+SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
+PLAIN = re.compile(r"[-−]?\d{1,30}(?:[.,]\d{1,30})?(?:[eE][-+]?\d{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
+NOTHING = Symbols(())
+
+
+@dataclass(frozen=True, slots=True)
+class Amount:
+    """A number as typed, its unit as typed (None: read in the printed unit), and the value in SI units."""
+
+    tree: Tree
+    number: float
+    unit: Unit | None
+    unit_text: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A value with a unit, right within a relative tolerance with an absolute floor.
+
+    Args:
+        unit: The unit printed at the field; a bare number is read in it.
+        rtol: Relative tolerance of the value.
+        atol: Absolute floor in SI units, declared where the value can be near zero.
+        step: The step asked for; empty for the step named like the answer.
+        weight: Share in the score.
+        unit_credit: Score for a number that is right in a unit that is not.
+    """
+
+    unit: str
+    rtol: float = 0.005
+    atol: float = 0.0
+    step: str = ""
+    weight: float = 1.0
+    unit_credit: float = 0.5
+    kind: ClassVar[str] = "quantity"
+
+    def parse(self, text: str, symbols: Symbols) -> Amount:
+        """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
+        expected = read_unit(self.unit)
+        found = PLAIN.match(text)
+        if found is not None:
+            literal, rest, at = found.group().replace("−", "-"), text[found.end() :], found.end()
+            digits = literal.lstrip("-").replace(",", ".").lower().partition("e")
+            tree: Tree = Number(digits[0], int(digits[2] or "0"))
+            tree = Unary("-", tree) if literal[0] == "-" else tree
+            number = float(literal.replace(",", "."))
+        else:
+            tree, number, rest, at = _read_number(text)
+        unit_text = _bare(rest)
+        unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
+        if unit is None and (isinstance(tree, Angle) or any(isinstance(n, Angle) or _arc(n) for n in walk(tree))):
+            return Amount(tree, number, read_unit("rad"), "", _bounded(number))
+        return Amount(tree, number, unit, unit_text, _bounded(number * (unit or expected).factor))
+
+    def check(self, answer: Amount, reference: float) -> Verdict:
+        """Judge value and unit apart; tell the opposite sign and a factor of ten from other errors."""
+        expected = read_unit(self.unit)
+        if answer.unit is not None and not fits(answer.unit, expected):
+            if self._close(answer.number * expected.factor, reference):
+                return Verdict(self.unit_credit, Code.WRONG_UNIT)
+            return wrong(Code.WRONG_DIMENSION)
+        if self._close(answer.value, reference):
+            return RIGHT
+        if answer.unit is not None and self._close(answer.number * expected.factor, reference):
+            return Verdict(self.unit_credit, Code.WRONG_UNIT)
+        return wrong(self._slip(answer.value, reference))
+
+    def _slip(self, value: float, reference: float) -> Code:
+        if value and reference:
+            if self._close(-value, reference):
+                return Code.OPPOSITE_SIGN
+            power = round(math.log10(abs(value / reference)))
+            if power and abs(power) <= 12 and self._close(value / 10.0**power, reference):
+                return Code.FACTOR_OF_TEN
+            if abs(value - reference) <= 5 * max(self.rtol * abs(reference), self.atol):
+                return Code.NOT_PRECISE
+        return Code.WRONG
+
+    def apart(self, one: float, other: float) -> float:
+        """Give |a - b| over the larger tolerance, an angle modulo a turn."""
+        tolerance = max(self.rtol * max(abs(one), abs(other)), self.atol)
+        return abs(self._difference(one, other)) / tolerance if tolerance else math.inf
+
+    def _close(self, value: float, reference: float) -> bool:
+        tolerance = max(self.rtol * abs(reference), self.atol)
+        return abs(self._difference(value, reference)) <= tolerance * (1 + SLACK) + SLACK * abs(reference) * self.rtol
+
+    def _difference(self, value: float, reference: float) -> float:
+        if read_unit(self.unit).dimension != (0, 0, 0, 1, 0):
+            return value - reference
+        return math.remainder(value - reference, 2 * math.pi)
+
+    def show(self, reference: float) -> str:
+        """Write a reference in the printed unit, eight figures."""
+        return f"{reference / read_unit(self.unit).factor:.8g} {self.unit}".removesuffix(" 1")
+
+    def samples(self, reference: float) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        value = reference / read_unit(self.unit).factor
+        right = (f"{value:.8g}", f"{value:.8g} {self.unit}", f"{value:.8e}".replace(".", ","), f"({value:.8g})*2/2")
+        return Samples(right, (f"{value * 1.5 + self.atol * 9:.8g}", f"{-value:.8g}"), ("", "abc", "1..2", "5 qq"))
+
+    def echo(self, answer: Amount) -> Echo:
+        """Say which number was read and in which unit."""
+        return Echo(mathml_of(answer.tree), text_of(answer.tree), self._echo_unit(answer))
+
+    def _echo_unit(self, answer: Amount) -> str:
+        if answer.unit is None:
+            return self.unit
+        return answer.unit_text
+
+    def carried(self, answer: Amount) -> float:
+        """Give the value in SI units."""
+        return answer.value
+
+    def describe(self) -> Mapping[str, Any]:
+        """Give unit and tolerance of the field."""
+        return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
+
+
+def _bounded(value: float) -> float:
+    if not math.isfinite(value) or abs(value) > GREATEST:
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0)
+    return value
+
+
+def _arc(node: Tree) -> bool:
+    return isinstance(node, Unary) and node.operator == "°"
+
+
+def _bare(rest: str) -> str:
+    """Take a unit out of the square brackets some students put around it."""
+    rest = rest.strip()
+    return rest[1:-1].strip() if rest[:1] == "[" and rest[-1:] == "]" else rest
+
+
+def _unit_at(text: str, place: int) -> Unit:
+    try:
+        return read_unit(text)
+    except AnswerSyntaxError as error:
+        raise AnswerSyntaxError(error.reason, place + error.position, error.proposal.found) from None
+
+
+def _read_number(text: str) -> tuple[Tree, float, str, int]:
+    """Split a text into a constant expression and the unit behind it: tree, number, unit text and its place."""
+    tokens = tokenize(text)
+    start = 0
+    if len(tokens) > 2 and tokens[0].kind == "name" and tokens[1].kind == "=":  # `R_A = 12 kN`
+        start = tokens[2].position
+        tokens = tokens[2:]
+    cut = _unit_starts(tokens, len(text))
+    number_text = text[start:cut]
+    if not number_text.strip():
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, text[start : start + 20].strip())
+    try:
+        tree = parse(" " * start + number_text, NOTHING)
+        (number,) = doubles.run(doubles.line_runner(tree), [])
+    except doubles.UndefinedError:
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, start, number_text.strip()[:20]) from None
+    except ValueError as error:
+        if isinstance(error, AnswerSyntaxError):
+            raise
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, number_text.strip()[:20]) from None
+    if not isinstance(number, float):
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, number_text.strip()[:20])
+    rest = text[cut:].lstrip()
+    rest = "1" + rest if rest.startswith(("/", "∕", "÷")) else rest
+    return tree, number, rest, cut
+
+
+def _unit_starts(tokens: list[Token], end: int) -> int:
+    """Find where the unit begins: at the first name that is no function and no pi, its `1/` or `/` included."""
+    for at, token in enumerate(tokens):
+        if token.kind == "[" and at:
+            return token.position
+        if token.kind == "name" and not function_named(token.text) and key(token.text) != "pi":
+            break
+    else:
+        return end
+    if at and tokens[at - 1].kind == "/":
+        at -= 1
+        if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
+            at -= 1
+    return tokens[at].position
+
+

@@ -1,0 +1,194 @@
+"""Units as engineers write them, in Polish, English and Russian: one table, one small reader.
+
+A dimension is the powers of (length, mass, time, angle, temperature). A tag tells apart what has equal powers but
+is not the same: energy (J) is not torque, and a frequency in Hz is not an angular velocity.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import SUPERSCRIPTS
+from graders.language.tokens import SAME, SPACES
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit of measurement: powers of the base dimensions, factor to SI, and tag (energy, cycle or none)."""
+
+    dimension: tuple[int, int, int, int, int]
+    factor: float
+    tag: str = ""
+
+
+L, M, T, A, K = 0, 1, 2, 3, 4
+NONE = Unit((0, 0, 0, 0, 0), 1.0)
+
+
+def _unit(factor: float, length: int = 0, mass: int = 0, time: int = 0, angle: int = 0, heat: int = 0, tag: str = "") -> Unit:
+    return Unit((length, mass, time, angle, heat), factor, tag)
+
+
+TURN = 2 * math.pi
+PREFIXED = {
+    "m": _unit(1, 1), "м": _unit(1, 1),
+    "g": _unit(1e-3, 0, 1), "г": _unit(1e-3, 0, 1),
+    "s": _unit(1, 0, 0, 1), "с": _unit(1, 0, 0, 1),
+    "N": _unit(1, 1, 1, -2), "Н": _unit(1, 1, 1, -2),
+    "Pa": _unit(1, -1, 1, -2), "Па": _unit(1, -1, 1, -2),
+    "J": _unit(1, 2, 1, -2, tag="energy"), "Дж": _unit(1, 2, 1, -2, tag="energy"),
+    "W": _unit(1, 2, 1, -3), "Вт": _unit(1, 2, 1, -3),
+    "Hz": _unit(1, 0, 0, -1, tag="cycle"), "Гц": _unit(1, 0, 0, -1, tag="cycle"),
+    "rad": _unit(1, angle=1), "рад": _unit(1, angle=1),
+    "Nm": _unit(1, 2, 1, -2), "Нм": _unit(1, 2, 1, -2),
+}  # fmt: skip
+PREFIXES = {
+    "": 1.0, "k": 1e3, "M": 1e6, "G": 1e9, "c": 1e-2, "m": 1e-3, "μ": 1e-6, "u": 1e-6, "n": 1e-9, "d": 1e-1, "h": 1e2,
+    "к": 1e3, "М": 1e6, "Г": 1e9, "м": 1e-3, "мк": 1e-6, "с": 1e-2, "д": 1e-1,
+}  # fmt: skip
+PLAIN = {
+    **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов", "grad."), _unit(math.pi / 180, angle=1)),
+    **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
+    **dict.fromkeys(('"', "arcsec"), _unit(math.pi / 648000, angle=1)),
+    **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1)),
+    **dict.fromkeys(("rpm", "RPM"), _unit(TURN / 60, 0, 0, -1, 1)),
+    **dict.fromkeys(("min", "мин"), _unit(60, 0, 0, 1)),
+    **dict.fromkeys(("h", "godz", "ч"), _unit(3600, 0, 0, 1)),
+    **dict.fromkeys(("t", "т"), _unit(1e3, 0, 1)),
+    **dict.fromkeys(("sec", "sek", "сек"), _unit(1, 0, 0, 1)),
+    **dict.fromkeys(("K", "К"), _unit(1, heat=1)),
+    "bar": _unit(1e5, -1, 1, -2), "бар": _unit(1e5, -1, 1, -2),
+    "%": _unit(1e-2), "in": _unit(0.0254, 1), "1": NONE,
+}  # fmt: skip
+
+
+def _table() -> dict[str, Unit]:
+    found = {}
+    for symbol, unit in PREFIXED.items():
+        cyrillic = any("а" <= c.lower() <= "я" for c in symbol)
+        for prefix, factor in PREFIXES.items():
+            if not prefix or cyrillic == ("а" <= prefix[0].lower() <= "я"):
+                found[prefix + symbol] = Unit(unit.dimension, factor * unit.factor, unit.tag)
+    return found | PLAIN
+
+
+TABLE = _table()
+PIECE = re.compile(r"(?P<name>[^\W\d_²³¹⁰ⁱ-₉]+|[°'\"%])|(?P<number>\d+)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<mark>\*\*|[-*/^().])")
+
+
+@lru_cache(maxsize=2048)
+def read_unit(text: str) -> Unit:
+    """Read a unit such as `N/mm^2`, `kN·m`, `obr/min`, `1/s`; a dot or a blank is a product.
+
+    Raises:
+        AnswerSyntaxError: Unknown unit, with its place in the text.
+    """
+    plain = "".join(" " if c in SPACES else SAME.get(c, "μ" if c == "µ" else c) for c in text)
+    reader = _UnitReader(plain)
+    unit = reader.product()
+    if reader.kind != "end":
+        raise reader.error()
+    return unit
+
+
+class _UnitReader:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.place = 0
+        self.depth = 0
+        self.step()
+
+    def step(self) -> None:
+        while self.place < len(self.text) and self.text[self.place] == " ":
+            self.place += 1
+        self.start = self.place
+        found = PIECE.match(self.text, self.place)
+        if found is None:
+            self.kind, self.piece = ("end", "") if self.place >= len(self.text) else ("bad", self.text[self.place])
+            return
+        self.kind, self.piece = found.lastgroup or "bad", found.group()
+        self.place = found.end()
+
+    def error(self) -> AnswerSyntaxError:
+        reason = Reason.NEEDS_OPERAND if self.kind == "end" else Reason.UNKNOWN_UNIT
+        return AnswerSyntaxError(reason, self.start, self.piece)
+
+    def product(self) -> Unit:
+        unit, divide = self.power(), False
+        while self.kind not in ("end", "bad") and self.piece != ")":
+            divide = False
+            if self.piece in ("*", ".", "/"):
+                divide = self.piece == "/"
+                self.step()
+                if self.kind == "end" and not divide:  # a full stop after an abbreviation
+                    return unit
+            unit = _times(unit, self.power(), -1 if divide else 1)
+        return unit
+
+    def power(self) -> Unit:
+        unit = self.atom()
+        if self.piece in ("^", "**") and self.kind == "mark":
+            self.step()
+            return _times(NONE, unit, self.exponent())
+        if self.kind == "raised":
+            power = int("".join(SUPERSCRIPTS[c] for c in self.piece[:3]))
+            self.step()
+            return _times(NONE, unit, power)
+        if self.kind == "number" and self.piece in ("2", "3", "4") and self.text[self.start - 1] != " ":
+            return _times(NONE, unit, self.exponent())
+        return unit
+
+    def exponent(self) -> int:
+        bracket = self.piece == "("
+        if bracket:
+            self.step()
+        sign = -1 if self.piece == "-" else 1
+        if sign < 0:
+            self.step()
+        if self.kind != "number" or len(self.piece) > 1:
+            raise self.error()
+        power = sign * int(self.piece)
+        self.step()
+        if bracket and self.piece == ")":
+            self.step()
+        return power
+
+    def atom(self) -> Unit:
+        if self.piece == "(" and self.depth < 4:
+            self.depth += 1
+            self.step()
+            unit = self.product()
+            if self.piece != ")":
+                raise self.error()
+            self.step()
+            self.depth -= 1
+            return unit
+        unit = TABLE.get(self.piece) if self.kind in ("name", "number") else None
+        if unit is None:
+            raise self.error()
+        self.step()
+        return unit
+
+
+def _times(one: Unit, other: Unit, power: int) -> Unit:
+    a, b = one.dimension, other.dimension
+    dimension = (a[0] + power * b[0], a[1] + power * b[1], a[2] + power * b[2], a[3] + power * b[3], a[4] + power * b[4])
+    tag = other.tag if one == NONE and power == 1 else one.tag if other == NONE else ""
+    return Unit(dimension, one.factor * float(other.factor) ** power, tag)
+
+
+def fits(typed: Unit, expected: Unit) -> bool:
+    """Tell whether a typed unit measures the expected quantity.
+
+    An angle may be left out of a unit (1/s for rad/s, Pa for N/m^2 as ever); energy and cycles stand only for themselves.
+    """
+    if typed.tag and typed.tag != expected.tag:
+        return False
+    if typed.dimension == expected.dimension:
+        return True
+    without = (*typed.dimension[:3], expected.dimension[3], typed.dimension[4])
+    return typed.dimension[3] == 0 and without == expected.dimension and typed != NONE
