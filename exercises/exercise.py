@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Generic, TypeAlias, TypeVar
 
 from exercises.draw import Draw
 from exercises.givens import each, given, option
-from figures import Picture
+from figures.picture import Picture
 from graders import Grader, Value, Verdict
 
 Values: TypeAlias = Mapping[str, Value]
@@ -103,7 +103,6 @@ class Grade:
     counted: bool
     provisional: bool
     grader_version: str
-    notes: Mapping[str, str] = field(default_factory=dict)
 
 
 __all__ = [

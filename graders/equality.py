@@ -123,13 +123,17 @@ def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
     return Finding.UNDECIDED
 
 
-@lru_cache(maxsize=1024)
 def defined_at(tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...], point: tuple[float, ...]) -> bool:
     """Tell in doubles whether a formula and the lines it stands on have a value at a point."""
-    builder = Builder(names)
-    slots = [builder.define(name, line) for name, line in lines]
     try:
-        values = run(Runner(builder.program(builder.add(tree), *slots), DOUBLES), list(point))
+        values = run(_everything(tree, names, lines), list(point))
     except UndefinedError:
         return False
     return all(math.isfinite(value) for value in values)
+
+
+@lru_cache(maxsize=1024)
+def _everything(tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...]) -> Runner:
+    builder = Builder(names)
+    slots = [builder.define(name, line) for name, line in lines]
+    return Runner(builder.program(builder.add(tree), *slots), DOUBLES)

@@ -1,0 +1,91 @@
+"""The catalogue: exercises are found as folders `exercises/<chapter>/<id>/`; an incomplete folder is refused loudly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import import_module
+from pathlib import Path
+
+from exercises.exercise import AnyExercise, Exercise
+from exercises.words import LANGUAGES, Words, read_words
+
+ROOT = Path(__file__).parent
+FILES = ("__init__.py", *(f"{language}.toml" for language in LANGUAGES), "cases.toml")
+CHAPTERS = (
+    "linkages", "manipulators", "structure", "velocities", "laws", "transmissions", "accuracy", "dynamics", "balancing",
+    "strength",
+)  # fmt: skip
+
+
+class UnknownExercise(KeyError):  # noqa: N818
+    """No exercise has this id."""
+
+
+class IncompleteExercise(ValueError):  # noqa: N818
+    """An exercise folder lacks a file or its definition."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """An exercise with its place on the shelf and its words."""
+
+    id: str
+    chapter: str
+    exercise: AnyExercise
+    words: Mapping[str, Words]
+    folder: Path
+
+
+@lru_cache(maxsize=1)
+def _shelf() -> dict[str, str]:
+    """Find the folders; the order is that of the chapters, then of the ids."""
+    found: dict[str, str] = {}
+    for chapter in CHAPTERS:
+        for folder in sorted((ROOT / chapter).glob("*/")):
+            if folder.name.startswith(("_", ".")):
+                continue
+            missing = [name for name in FILES if not (folder / name).is_file()]
+            if missing:
+                raise IncompleteExercise(f"exercise folder {chapter}/{folder.name} lacks {', '.join(missing)}")
+            if folder.name in found:
+                raise IncompleteExercise(f"exercise id {folder.name} stands in {found[folder.name]} and in {chapter}")
+            found[folder.name] = chapter
+    return found
+
+
+def ids() -> tuple[str, ...]:
+    """Give all exercise ids, by chapter, without importing them."""
+    return tuple(_shelf())
+
+
+def chapter_of(exercise_id: str) -> str:
+    """Give the chapter of an exercise; raises UnknownExercise."""
+    try:
+        return _shelf()[exercise_id]
+    except KeyError:
+        raise UnknownExercise(exercise_id) from None
+
+
+@lru_cache(maxsize=512)
+def load(exercise_id: str) -> Entry:
+    """Import one exercise with its words.
+
+    Raises:
+        UnknownExercise: No folder has this name.
+        IncompleteExercise: The folder defines no EXERCISE.
+    """
+    chapter = chapter_of(exercise_id)
+    exercise = getattr(import_module(f"exercises.{chapter}.{exercise_id}"), "EXERCISE", None)
+    if not isinstance(exercise, Exercise):
+        raise IncompleteExercise(f"exercise folder {chapter}/{exercise_id} defines no EXERCISE")
+    folder = ROOT / chapter / exercise_id
+    words = {language: read_words(folder / f"{language}.toml") for language in LANGUAGES}
+    return Entry(exercise_id, chapter, exercise, words, folder)
+
+
+def check() -> None:
+    """Import every exercise, so that an incomplete folder stops the start."""
+    for exercise_id in ids():
+        load(exercise_id)

@@ -1,0 +1,161 @@
+"""Grading a submission: reading, judging, follow-through, mistakes, score."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from exercises import catalogue
+from exercises.exercise import Grade, Submission, Variant
+from exercises.solving import NO_SECRET, Solved, solve
+from exercises.variants import predictions
+from graders import AnswerSyntaxError, Code, Echo, Expression, Outcome, Value, Verdict
+from graders.language import Tree
+from graders.language.doubles import UndefinedError
+from graders.verdict import EMPTY, FAULT, FOLLOWED, unreadable
+
+GRADER_VERSION = "1"
+PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference
+JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
+
+
+class UnknownAnswer(ValueError):  # noqa: N818
+    """The submission names an answer that the exercise does not ask for."""
+
+
+def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = False) -> Grade:
+    """Grade a submission.
+
+    Args:
+        submission: Answers as typed; a missing answer counts as empty.
+        secret: The server's secret, from which the test points of formulas are drawn.
+        limited: Attempts are limited: a non-empty unreadable answer stops the judging, and only reading errors
+            come back.
+
+    Raises:
+        UnknownAnswer: An answer that is not asked for.
+    """
+    solved = Solved(catalogue.load(submission.variant.exercise).exercise, submission.variant, secret)
+    unknown = sorted(set(submission.answers) - set(solved.answers))
+    if unknown:
+        raise UnknownAnswer(unknown[0])
+    read = {name: _read(solved, name, submission.answers.get(name, "")) for name in solved.answers}
+    errors = {name: v for name, v in read.items() if isinstance(v, Verdict) and v is not EMPTY}
+    if limited and errors:
+        return Grade(errors, 0.0, None, False, False, GRADER_VERSION)
+    verdicts = _judge(solved, read)
+    return _grade(solved, verdicts, _mistake(solved, read, verdicts))
+
+
+def failed(submission: Submission) -> Grade:
+    """Give the grade of a submission that could not be graded by our fault: nothing counted, kept for the lecturer."""
+    exercise = catalogue.load(submission.variant.exercise).exercise
+    verdicts = dict.fromkeys(exercise.answers_of(submission.variant.givens), FAULT)
+    return Grade(verdicts, 0.0, None, False, True, GRADER_VERSION)
+
+
+def preview(variant: Variant, answer: str, text: str) -> Echo | Verdict:
+    """Say what was understood of one answer; it depends neither on the seed nor on the reference.
+
+    Raises:
+        UnknownAnswer: The exercise does not ask for this answer.
+    """
+    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    if answer not in solved.answers:
+        raise UnknownAnswer(answer)
+    read = _read(solved, answer, text)
+    return read if isinstance(read, Verdict) else solved.answers[answer].echo(read)
+
+
+def reference(variant: Variant) -> dict[str, str]:
+    """Give for each answer a text that a student could type and that is graded right."""
+    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    return {name: grader.show(solved.reference(name)) for name, grader in solved.answers.items()}
+
+
+def _read(solved: Solved, name: str, text: str) -> Any:
+    """Read one answer; the one place where unreadable text becomes a verdict."""
+    if not text.strip():
+        return EMPTY
+    try:
+        return solved.answers[name].parse(text, solved.symbols(name))
+    except AnswerSyntaxError as error:
+        return unreadable(error)
+
+
+def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
+    """Judge the answers in order; a wrong one is carried, and later ones are solved again from it."""
+    verdicts: dict[str, Verdict] = {}
+    fixed: dict[str, Value | Tree] = {}
+    for name, answer in read.items():
+        if isinstance(answer, Verdict):
+            verdicts[name] = answer
+            continue
+        verdict = solved.answers[name].check(answer, solved.reference(name))
+        if verdict.outcome in (Outcome.WRONG, Outcome.PARTLY):
+            if fixed and _follows(solved, name, answer, fixed):
+                verdict = FOLLOWED
+            _carry(solved, name, answer, fixed)
+        verdicts[name] = verdict
+    return verdicts
+
+
+def _follows(solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree]) -> bool:
+    """Tell whether an answer is right when solved from the student's own earlier values."""
+    step, grader = solved.step_of(name), solved.answers[name]
+    if isinstance(grader, Expression):
+        return False
+    own = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
+    try:
+        values = solve(solved.exercise, solved.variant.givens, fixed=own)
+    except UndefinedError:
+        return False
+    return _plausible(values[step], solved.values[step]) and grader.check(answer, values[step]).code is Code.RIGHT
+
+
+def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree]) -> None:
+    """Keep a wrong answer for the later ones, unless its value is trivial or outside the plausible range."""
+    step, carried = solved.step_of(name), solved.answers[name].carried(answer)
+    if carried is None:
+        return
+    if isinstance(carried, float | tuple | str) and not _plausible(carried, solved.values[step]):
+        return
+    fixed[step] = carried
+
+
+def _plausible(value: Value, right: Value) -> bool:
+    if isinstance(value, str) or isinstance(right, str):
+        return True
+    if isinstance(value, tuple) or isinstance(right, tuple):
+        entries = [abs(e) for row in value for e in row] if isinstance(value, tuple) else []
+        return bool(entries) and 0 < max(entries) < PLAUSIBLE * PLAUSIBLE
+    return abs(right) / PLAUSIBLE < abs(value) < abs(right) * PLAUSIBLE
+
+
+def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> str | None:
+    """Name the known slip that predicts every answer given, if some answer is wrong."""
+    given = {name: answer for name, answer in read.items() if not isinstance(answer, Verdict)}
+    if not any(verdicts[name].outcome is Outcome.WRONG or verdicts[name] is FOLLOWED for name in given):
+        return None
+    for mistake, expected in predictions(solved).items():
+        if all(_predicted(solved, name, answer, expected[name]) for name, answer in given.items()):
+            return mistake
+    return None
+
+
+def _predicted(solved: Solved, name: str, answer: Any, expected: Any) -> bool:
+    return solved.answers[name].check(answer, expected).code is Code.RIGHT
+
+
+def _grade(solved: Solved, verdicts: dict[str, Verdict], mistake: str | None) -> Grade:
+    weights = {name: grader.weight for name, grader in solved.answers.items()}
+    score = sum(weights[name] * verdict.score for name, verdict in verdicts.items()) / sum(weights.values())
+    outcomes = {verdict.outcome for verdict in verdicts.values()}
+    return Grade(
+        verdicts=verdicts,
+        score=round(score, 6),
+        mistake=mistake,
+        counted=any(outcome in JUDGED for outcome in outcomes),
+        provisional=Outcome.UNDECIDED in outcomes,
+        grader_version=GRADER_VERSION,
+    )

@@ -1,0 +1,1 @@
+"""Linkages: position, velocity and acceleration of planar mechanisms."""

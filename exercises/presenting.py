@@ -1,0 +1,163 @@
+"""What a student sees of a variant in one language: statement, fields, figure, hints, worked solution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from exercises import catalogue
+from exercises.exercise import Variant
+from exercises.givens import numbers
+from exercises.solving import Solved
+from exercises.words import Printed, Words, fill, html, indexed, inline, plain, printed_unit, with_unit
+from figures.picture import Picture
+from graders import Choice, Expression, Quantity, Value
+from graders.language import parse_line
+from graders.language.mathml import mathml_of, symbol_mathml
+from graders.language.text import text_of
+from graders.units import read_unit
+from graders.words import decimal, tolerance
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One answer to give: how it is asked, in which unit, with which symbols and tolerance."""
+
+    name: str
+    kind: str
+    prompt_html: str
+    prompt_text: str
+    symbol_mathml: str
+    unit: str
+    unit_text: str
+    symbols: tuple[str, ...]
+    tolerance_text: str
+    rtol: float | None
+    atol: float | None
+    rows: int
+    columns: int
+    options: tuple[tuple[str, str], ...]
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Presented:
+    """A variant in one language; nothing here depends on the reference values."""
+
+    title: str
+    summary: str
+    statement_html: str
+    statement_text: str
+    givens: tuple[tuple[str, str], ...]
+    answers: dict[str, Field]
+    picture: Picture | None
+
+
+@dataclass(frozen=True, slots=True)
+class SolvedLine:
+    """One line of the worked solution: what, by which formula, with which result."""
+
+    heading_html: str
+    formula_mathml: str
+    formula_text: str
+    value: str
+
+
+def words_of(exercise_id: str, lang: str) -> Words:
+    """Give an exercise's words in a language."""
+    return catalogue.load(exercise_id).words[lang]
+
+
+def presented(variant: Variant, lang: str) -> Presented:
+    """Present a variant in a language."""
+    entry = catalogue.load(variant.exercise)
+    words, solved, seen = entry.words[lang], Solved(entry.exercise, variant), list[Printed]()
+    statement = fill(words["statement"], variant.givens, words, lang, seen)
+    figure = entry.exercise.figure
+    return Presented(
+        title=words["title"],
+        summary=words["summary"],
+        statement_html=html(statement),
+        statement_text=plain(statement),
+        givens=tuple((symbol_mathml(p.name), with_unit(p.number, p.unit, lang)) for p in seen),
+        answers={name: _field(solved, name, words, lang) for name in solved.answers},
+        picture=figure(variant.givens, words["figure"], lang) if figure else None,
+    )
+
+
+def printed_givens(variant: Variant, lang: str) -> tuple[Printed, ...]:
+    """Give the numbers that the statement prints, in the order printed."""
+    words, seen = words_of(variant.exercise, lang), list[Printed]()
+    fill(words["statement"], variant.givens, words, lang, seen)
+    return tuple(seen)
+
+
+def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
+    grader = solved.answers[name]
+    described, prompt = grader.describe(), indexed(words["answers"], name)
+    symbols = sorted(solved.symbols(name).names) if isinstance(grader, Expression) else []
+    options = words["choices"][name] if isinstance(grader, Choice) else {}
+    return Field(
+        name=name,
+        kind=grader.kind,
+        prompt_html=inline(prompt),
+        prompt_text=plain(prompt),
+        symbol_mathml=symbol_mathml(solved.step_of(name)),
+        unit=described.get("unit", ""),
+        unit_text=printed_unit(described.get("unit", ""), lang),
+        symbols=tuple(sorted(symbols, key=lambda s: (s not in numbers(solved.variant.givens), s))),
+        tolerance_text=tolerance({**described, "unit": printed_unit(described.get("unit", ""), lang)}, lang),
+        rtol=described.get("rtol"),
+        atol=described.get("atol"),
+        rows=described.get("rows", 0),
+        columns=described.get("columns", 0),
+        options=tuple((key, inline(options[key])) for key in described.get("options", ())),
+        weight=grader.weight,
+    )
+
+
+def hint(variant: Variant, mistake: str, lang: str) -> str:
+    """Give the hint of a known slip as HTML; it holds no value of the reference."""
+    return inline(words_of(variant.exercise, lang)["mistakes"][mistake])
+
+
+def hint_text(variant: Variant, mistake: str, lang: str) -> str:
+    """Give the hint of a known slip as plain text."""
+    return plain(words_of(variant.exercise, lang)["mistakes"][mistake])
+
+
+def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
+    """Give the worked solution: the steps in order with the variant's numbers."""
+    entry = catalogue.load(variant.exercise)
+    words, solved = entry.words[lang], Solved(entry.exercise, variant)
+    units = _units(solved)
+    lines = []
+    for name, line in solved.steps.items():
+        tree = parse_line(line) if isinstance(line, str) else None
+        value = _shown(solved.values[name], units.get(name, words.get("units", {}).get(name, "")), lang)
+        formula = mathml_of(tree, lang != "en") if tree else ""
+        heading = inline(indexed(words["steps"], name))
+        lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))
+    return tuple(lines)
+
+
+def _equation(name: str, formula: str) -> str:
+    inner = formula.removeprefix("<math>").removesuffix("</math>")
+    symbol = symbol_mathml(name).removesuffix("</math>")
+    return f"{symbol}<mo>=</mo>{inner}</math>" if formula else ""
+
+
+def _units(solved: Solved) -> dict[str, str]:
+    return {solved.step_of(name): g.unit for name, g in solved.answers.items() if isinstance(g, Quantity)}
+
+
+def _shown(value: Value, unit: str, lang: str) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, tuple):
+        return "[" + ", ".join("[" + "; ".join(decimal(_clean(e), lang, 4) for e in row) + "]" for row in value) + "]"
+    return with_unit(decimal(value / read_unit(unit or "1").factor, lang), unit, lang)
+
+
+def _clean(entry: Any) -> float:
+    return 0.0 if abs(entry) < 1e-12 else float(entry)

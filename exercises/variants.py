@@ -1,0 +1,97 @@
+"""Dealing a variant: drawing until no known mistake lands on a right answer; its stored form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import combinations
+from typing import Any
+
+from exercises import catalogue
+from exercises.draw import Draw, Rejected
+from exercises.exercise import AnyExercise, Variant
+from exercises.givens import Json, restore as restore_givens
+from exercises.givens import dump as dump_givens
+from exercises.solving import Solved, solve
+from graders import Expression, Reference
+from graders.language.doubles import UndefinedError
+
+MAX_SEED = 2**53 - 1
+REDRAWS = 100
+APART = 3.0  # tolerances between a mistake's prediction and the reference, in some answer
+
+Predictions = dict[str, Reference]
+
+
+class DrawError(RuntimeError):
+    """An exercise refused a hundred draws in a row: its author must widen the draw."""
+
+
+def deal(exercise_id: str, seed: int) -> Variant:
+    """Deal the variant of a seed.
+
+    Raises:
+        UnknownExercise: No exercise has this id.
+        ValueError: The seed is not a whole number from 0 to 2^53 - 1.
+        DrawError: A hundred draws in a row were refused.
+    """
+    if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed <= MAX_SEED:
+        raise ValueError(f"seed {seed!r} is not a whole number from 0 to {MAX_SEED}")
+    exercise = catalogue.load(exercise_id).exercise
+    for turn in range(REDRAWS):
+        try:
+            givens = exercise.draw(Draw(exercise_id, seed, turn))
+            variant = Variant(exercise_id, exercise.version, seed, givens)
+            if told_apart(Solved(exercise, variant)):
+                return variant
+        except (Rejected, UndefinedError):
+            continue
+    raise DrawError(f"{exercise_id}: seed {seed} was refused {REDRAWS} times")
+
+
+def predictions(solved: Solved) -> dict[str, Predictions]:
+    """Give the answers each mistake leads to; a mistake without occasion or without a value is left out."""
+    found = {}
+    for name, mistake in solved.exercise.mistakes.items():
+        lines = mistake.lines(solved.variant.givens)
+        if not lines:
+            continue
+        try:
+            values = solve(solved.exercise, solved.variant.givens, replaced=lines)
+        except UndefinedError:
+            continue
+        found[name] = {answer: solved.reference(answer, values, lines) for answer in solved.answers}
+    return found
+
+
+def told_apart(solved: Solved) -> bool:
+    """Tell whether every mistake differs from the reference and from the others in at least one answer."""
+    right = {answer: solved.reference(answer) for answer in solved.answers}
+    slips = list(predictions(solved).values())
+    return all(differ(solved, one, other) for one, other in combinations([right, *slips], 2))
+
+
+def differ(solved: Solved, one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
+    """Tell whether two sets of answers are at least three tolerances apart somewhere; numbers are compared first."""
+    numeric = [name for name, grader in solved.answers.items() if not isinstance(grader, Expression)]
+    symbolic = [name for name in solved.answers if name not in numeric]
+    for name in (*numeric, *symbolic):
+        if one[name] is not other[name] and solved.answers[name].apart(one[name], other[name]) >= APART:
+            return True
+    return False
+
+
+def dump(variant: Variant) -> dict[str, Json]:
+    """Write a variant as JSON values."""
+    return {
+        "exercise": variant.exercise,
+        "version": variant.version,
+        "seed": variant.seed,
+        "givens": dump_givens(variant.givens),
+    }
+
+
+def restore(stored: Mapping[str, Json]) -> Variant:
+    """Build a variant from its stored form; the realised givens rule, not the seed."""
+    exercise: AnyExercise = catalogue.load(stored["exercise"]).exercise
+    givens = restore_givens(exercise.givens, stored["givens"])
+    return Variant(stored["exercise"], stored["version"], stored["seed"], givens)

@@ -1,0 +1,177 @@
+"""Words of an exercise: TOML beside it, filled with a variant's numbers, as HTML with MathML or as plain text.
+
+Two constructs stand in a statement: `{{ name | unit("mm") }}`, and `{{ loads }}` for a drawn list whose members are
+worded by class. `$…$` is LaTeX and becomes MathML when the words are shown as HTML.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from graders.language.symbols import GREEK
+from graders.units import read_unit
+from graders.words import LANGUAGES, decimal
+
+Words = Mapping[str, Any]
+NARROW = "\u202f"  # narrow no-break space between a number and its unit
+PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
+MATHS = re.compile(r"\$([^$]*)\$")
+COMMAND = re.compile(r"\\([A-Za-z]+|.)")
+PRINTED = {"deg": "°", "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"}}
+REQUIRED = ("title", "summary", "statement", "answers", "mistakes", "figure", "steps")
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A number of a statement as printed: the given's name, the number and the unit."""
+
+    name: str
+    number: str
+    unit: str
+
+
+def read_words(path: Path) -> Words:
+    """Read a word file; raises ValueError naming file and section if a section is missing."""
+    words = tomllib.loads(path.read_text("utf-8"))
+    missing = [section for section in REQUIRED if section not in words]
+    if missing:
+        raise ValueError(f"{path.parent.name}/{path.name} lacks {', '.join(missing)}")
+    return words
+
+
+def printed_number(value: float, unit: str, lang: str) -> str:
+    """Write a value in a unit, ten figures at most, with the decimal mark of the language."""
+    return decimal(value / read_unit(unit or "1").factor, lang, 10)
+
+
+def printed_unit(unit: str, lang: str) -> str:
+    """Write a unit as people of the language read it."""
+    found = PRINTED.get(unit, unit)
+    text = found if isinstance(found, str) else found[lang]
+    return text.replace("*", "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
+
+
+def with_unit(number: str, unit: str, lang: str) -> str:
+    """Join a number and its unit; a degree sign follows without a space."""
+    shown = printed_unit(unit, lang)
+    return number + (shown if shown == "°" else NARROW + shown if shown not in ("", "1") else "")
+
+
+def fill(text: str, givens: Any, words: Words, lang: str, seen: list[Printed] | None = None) -> str:
+    """Fill the places of a text with a variant's numbers; each number filled in is noted in `seen`.
+
+    Raises:
+        KeyError: A place names something that is no given.
+    """
+
+    def place(found: re.Match[str]) -> str:
+        name, unit = found[1], found[2] or ""
+        value = getattr(givens, name if hasattr(givens, name) else name + "_", None)
+        if value is None:
+            raise KeyError(f"no given {name!r} for the place {found[0]!r}")
+        if isinstance(value, tuple):
+            return _listed(name, value, words, lang, seen)
+        if isinstance(value, str):
+            return str(words["options"][value])
+        number = printed_number(value, unit, lang)
+        if seen is not None:
+            seen.append(Printed(name, number, unit))
+        return with_unit(number, unit, lang)
+
+    return PLACE.sub(place, text)
+
+
+def _listed(name: str, members: tuple[Any, ...], words: Words, lang: str, seen: list[Printed] | None) -> str:
+    """Word a drawn list, one line a member, under the class of the member."""
+    lines = []
+    for index, member in enumerate(members, 1):
+        noted: list[Printed] = []
+        text = str(words[name][type(member).__name__]).replace("{i}", f"{{{index}}}")
+        lines.append("- " + " ".join(fill(text, member, words, lang, noted).split()))
+        if seen is not None:
+            seen.extend(Printed(f"{p.name}{index}", p.number, p.unit) for p in noted)
+    return "\n" + "\n".join(lines) + "\n"
+
+
+def html(text: str) -> str:
+    """Turn filled words into HTML: paragraphs, lists, and MathML for `$…$`."""
+    blocks = []
+    for block in re.split(r"\n\s*\n", text.strip()):
+        for run in _runs(block.split("\n")):
+            if run[0].startswith("- "):
+                blocks.append("<ul>" + "".join(f"<li>{inline(line[2:])}</li>" for line in run) + "</ul>")
+            else:
+                blocks.append(f"<p>{inline(' '.join(run))}</p>")
+    return "".join(blocks)
+
+
+def _runs(lines: list[str]) -> list[list[str]]:
+    runs: list[list[str]] = []
+    for line in (line.strip() for line in lines if line.strip()):
+        if runs and runs[-1][0].startswith("- ") == line.startswith("- "):
+            runs[-1].append(line)
+        else:
+            runs.append([line])
+    return runs
+
+
+def inline(text: str) -> str:
+    """Turn a line into HTML, `$…$` into MathML kept together with the punctuation after it."""
+    pieces = MATHS.split(text)
+    shown = [escape(pieces[0], quote=False)]
+    for latex, after in zip(pieces[1::2], pieces[2::2], strict=True):
+        mark = after[: len(after) - len(after.lstrip(".,;:?)"))]
+        formula = mathml(latex) + mark
+        shown.append(f'<span class="nowrap">{formula}</span>' if mark else formula)
+        shown.append(escape(after[len(mark) :], quote=False))
+    return "".join(shown)
+
+
+@lru_cache(maxsize=4096)
+def mathml(latex: str) -> str:
+    """Turn LaTeX into MathML."""
+    from latex2mathml.converter import convert
+
+    return re.sub(r' (?:xmlns|display)="[^"]*"', "", convert(latex))
+
+
+def plain(text: str) -> str:
+    """Turn filled words into plain text for a terminal: symbols by their letters, no LaTeX."""
+    return MATHS.sub(lambda found: _spoken(found[1]), text).strip()
+
+
+def _spoken(latex: str) -> str:
+    letters = {name: letter for letter, name in reversed(GREEK.items())}
+    named: dict[str, str] = {"cdot": "·", "le": "≤", "ge": "≥", "circ": "°", "to": "→", ",": " ", "quad": " "}
+
+    def command(found: re.Match[str]) -> str:
+        return letters.get(found[1]) or named.get(found[1], "")
+
+    return re.sub(r"[{}]|_", "", COMMAND.sub(command, latex)).strip()
+
+
+def indexed(section: Mapping[str, str], name: str) -> str:
+    """Find the words of a name; `T2` is worded by `T{i}` with its index filled in.
+
+    Raises:
+        KeyError: The section words neither.
+    """
+    if name in section:
+        return section[name]
+    stem = name.rstrip("0123456789")
+    index = name[len(stem) :]
+    return section[stem + "{i}"].replace("{i}", f"{{{index}}}")
+
+
+def shown_both(text: str) -> tuple[str, str]:
+    """Give one line as HTML and as plain text."""
+    return inline(text), plain(text)
+
+

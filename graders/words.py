@@ -1,0 +1,66 @@
+"""The wording of verdicts and tolerances in Polish, English and Russian; the sentences stand in `locales/`."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from graders.language.errors import Reason
+from graders.verdict import Code, Entries, Reading, Verdict
+
+LANGUAGES = ("pl", "en", "ru")
+LOCALES = Path(__file__).parent / "locales"
+
+
+@lru_cache(maxsize=8)
+def locale(lang: str) -> Mapping[str, Any]:
+    """Give the words of a language; raises KeyError for one that is not spoken here."""
+    if lang not in LANGUAGES:
+        raise KeyError(lang)
+    return tomllib.loads((LOCALES / f"{lang}.toml").read_text("utf-8"))
+
+
+def decimal(value: float, lang: str, figures: int = 5) -> str:
+    """Write a number with the decimal mark of the language and a true minus; powers of ten as 1.2·10⁵."""
+    text = f"{value:.{figures}g}"
+    digits, _, power = text.partition("e")
+    if power:
+        raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        digits = f"{digits}·10{raised}"
+    digits = "0" if digits == "-0" else digits.replace("-", "−")
+    return digits if lang == "en" else digits.replace(".", ",")
+
+
+def message(verdict: Verdict, lang: str) -> str:
+    """Word a verdict: what a student reads beside the field."""
+    words = locale(lang)
+    match verdict.details:
+        case Reading(reason=reason, position=position, proposal=proposal) if verdict.code is Code.UNREADABLE:
+            return str(words["unreadable"]).format(why=_reading(words, reason, position, proposal.found, proposal.meant))
+        case Entries(wrong=off, total=total):
+            places = ", ".join(f"({row}, {column})" for row, column in off[:6]) + ("…" if len(off) > 6 else "")
+            return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)
+        case _:
+            return str(words["codes"][verdict.code.value])
+
+
+def _reading(words: Mapping[str, Any], reason: Reason, position: int, found: str, meant: str) -> str:
+    why = str(words["reasons"][reason.value]).format(found=found, place=position + 1)
+    return f"{why} {str(words['meant']).format(meant=meant)}" if meant else why
+
+
+def tolerance(description: Mapping[str, Any], lang: str) -> str:
+    """Word the tolerance of a field from its rule: `±0,5 %`; empty where answers are judged exactly."""
+    rtol, atol, unit = description.get("rtol"), description.get("atol"), description.get("unit", "")
+    if not rtol and not atol:
+        return ""
+    words = locale(lang)["tolerance"]
+    relative = decimal(100 * rtol, lang) if rtol else ""
+    if "rows" in description:
+        return str(words["entries"]).format(percent=relative)
+    if not atol:
+        return str(words["relative"]).format(percent=relative)
+    return str(words["both"]).format(percent=relative, least=decimal(atol, lang), unit=unit)
