@@ -1,0 +1,31 @@
+"""The answer every planar linkage gives: positions, velocities, accelerations, and how near a dead position is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import pi
+
+
+@dataclass(frozen=True, slots=True)
+class Singular:
+    measure: float  # 0 in a dead position, 1 farthest from it
+    name: str  # which dead position
+
+
+@dataclass(frozen=True, slots=True)
+class LinkageMotion:
+    """The same names in `pos` (m, rad in (-pi, pi]), `vel` (m/s, rad/s) and `acc` (m/s^2, rad/s^2)."""
+
+    pos: Mapping[str, float]
+    vel: Mapping[str, float]
+    acc: Mapping[str, float]
+    singular: Singular
+
+
+def principal(angle: float) -> float:
+    """Bring an angle into (-pi, pi], in radians."""
+    if -pi < angle <= pi:
+        return angle
+    turned = angle % (2 * pi)
+    return turned - 2 * pi if turned > pi else turned
