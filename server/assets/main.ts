@@ -1,0 +1,18 @@
+/* The islands of a page. Every page works without them; each one looks for its own markup and starts only there. */
+import "./css/main.css";
+
+import { restoreDraft } from "./ts/draft.ts";
+import { listenForEcho } from "./ts/echo.ts";
+import { growFormulas } from "./ts/formula.ts";
+import { moveInGrid } from "./ts/matrix.ts";
+import { guardSubmit } from "./ts/submit.ts";
+import { showSymbols } from "./ts/symbols.ts";
+
+document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
+  guardSubmit(form);
+  growFormulas(form);
+  moveInGrid(form);
+  listenForEcho(form);
+  restoreDraft(form); // last: what it restores is echoed and grown like typed text
+});
+document.querySelectorAll<HTMLElement>('[role="group"][hidden]').forEach(showSymbols);

@@ -1,0 +1,32 @@
+/* Formula lines: Enter adds no line, Ctrl+Enter checks, the field grows with its text. */
+import { isTextField } from "./fields.ts";
+
+type Key = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "isComposing">;
+
+/** What Enter means in a text field: check the answers, nothing at all (in a formula), or what the browser does. */
+export function meaning(event: Key, inFormula: boolean): "check" | "nothing" | "default" {
+  if (event.key !== "Enter" || event.isComposing) return "default";
+  if (event.ctrlKey || event.metaKey) return "check";
+  return inFormula ? "nothing" : "default";
+}
+
+function grow(area: HTMLTextAreaElement): void {
+  area.style.height = "auto";
+  area.style.height = `${area.scrollHeight + area.offsetHeight - area.clientHeight}px`;
+}
+
+export function growFormulas(form: HTMLFormElement): void {
+  form.addEventListener("keydown", (event) => {
+    const { target } = event;
+    if (!isTextField(target)) return;
+    const sense = meaning(event, target.matches("textarea.formula"));
+    if (sense === "default") return;
+    event.preventDefault();
+    if (sense === "check") form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));
+  });
+  if (CSS.supports("field-sizing", "content")) return;
+  for (const area of form.querySelectorAll<HTMLTextAreaElement>("textarea.formula")) {
+    grow(area);
+    area.addEventListener("input", () => grow(area));
+  }
+}

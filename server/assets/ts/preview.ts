@@ -1,0 +1,38 @@
+/* What the preview endpoint says about one typed line. */
+
+export interface Understood {
+  ok: true;
+  mathml: string;
+  text: string;
+  unit: string | null;
+  note: string | null;
+}
+
+export interface NotRead {
+  ok: false;
+  message: string;
+  position: number | null;
+}
+
+export type Preview = Understood | NotRead;
+
+const textOr = <T>(value: unknown, other: T): string | T => (typeof value === "string" ? value : other);
+
+/** The reply in its declared shape, or null when it is something else (an error page, another version). */
+export function readPreview(reply: unknown): Preview | null {
+  if (typeof reply !== "object" || reply === null) return null;
+  const { ok, mathml, text, unit, note, message, position } = reply as Record<string, unknown>;
+  if (ok === true && typeof mathml === "string") {
+    return { ok, mathml, text: textOr(text, ""), unit: textOr(unit, null), note: textOr(note, null) };
+  }
+  if (ok === false && typeof message === "string") {
+    return { ok, message, position: typeof position === "number" ? position : null };
+  }
+  return null;
+}
+
+/** Numbers the questions so that a late reply to an earlier one is recognised and dropped. */
+export function turnstile(): { next(): number; isLast(turn: number): boolean } {
+  let last = 0;
+  return { next: () => ++last, isLast: (turn) => turn === last };
+}
