@@ -9,7 +9,8 @@ from importlib import import_module
 from pathlib import Path
 
 from exercises.exercise import AnyExercise, Exercise
-from exercises.words import LANGUAGES, Words, read_words
+from exercises.words import Words, read_words
+from graders.words import LANGUAGES
 
 ROOT = Path(__file__).parent
 FILES = ("__init__.py", *(f"{language}.toml" for language in LANGUAGES), "cases.toml")
@@ -19,11 +20,11 @@ CHAPTERS = (
 )  # fmt: skip
 
 
-class UnknownExercise(KeyError):  # noqa: N818
+class UnknownExercise(KeyError):
     """No exercise has this id."""
 
 
-class IncompleteExercise(ValueError):  # noqa: N818
+class IncompleteExercise(ValueError):
     """An exercise folder lacks a file or its definition."""
 
 

@@ -12,7 +12,7 @@ from typing import NoReturn, TypeVar
 T = TypeVar("T")
 
 
-class Rejected(Exception):  # noqa: N818 - it is a wish for another draw, not an error
+class Rejected(Exception):
     """The draw is refused by the exercise; the machinery draws again."""
 
 

@@ -29,18 +29,23 @@ def option(*choices: str) -> Any:
     return field(metadata={"choices": choices})
 
 
+def _fields(value: Any) -> tuple[Field[Any], ...]:
+    kind: Any = type(value)
+    return _fields_of(kind)
+
+
 @lru_cache(maxsize=512)
-def _fields(kind: type) -> tuple[Field[Any], ...]:
+def _fields_of(kind: Any) -> tuple[Field[Any], ...]:
     return fields(kind)
 
 
 def _members(givens: Any) -> Iterator[tuple[str, Any, str]]:
     """Visit all scalar givens: the field, its owner, and the name a student types (a member's index behind it)."""
-    for entry in _fields(type(givens)):
+    for entry in _fields(givens):
         value = getattr(givens, entry.name)
         if isinstance(value, tuple):
             for index, member in enumerate(value, 1):
-                for inner in _fields(type(member)):
+                for inner in _fields(member):
                     yield inner.name, member, f"{inner.name}{index}"
         else:
             yield entry.name, givens, entry.name.rstrip("_")
@@ -62,7 +67,7 @@ def domains(givens: Any) -> dict[str, Domain]:
     """Give the domains of the numeric givens by the names students type."""
     found = {}
     for name, owner, typed in _members(givens):
-        metadata = next(entry.metadata for entry in _fields(type(owner)) if entry.name == name)
+        metadata = next(entry.metadata for entry in _fields(owner) if entry.name == name)
         if "domain" in metadata:
             found[typed] = metadata["domain"]
         elif not isinstance(getattr(owner, name), str):
@@ -80,7 +85,7 @@ def each(givens: Any, line: Callable[[Any], str], x: str = "x") -> list[str]:
     """
     lists: Sequence[Sequence[Any]]
     if is_dataclass(givens):
-        values = [getattr(givens, entry.name) for entry in _fields(type(givens))]  # type: ignore[arg-type]
+        values = [getattr(givens, entry.name) for entry in _fields(givens)]
         lists = [value for value in values if isinstance(value, tuple)]
     else:
         lists = [givens]
@@ -93,7 +98,7 @@ def _filled(text: str, index: int, x: str) -> str:
 
 def dump(givens: Any) -> dict[str, Json]:
     """Write givens as JSON values; the members of a list carry the name of their class."""
-    return {entry.name: _dumped(getattr(givens, entry.name)) for entry in _fields(type(givens))}
+    return {entry.name: _dumped(getattr(givens, entry.name)) for entry in _fields(givens)}
 
 
 def _dumped(value: Any) -> Json:
@@ -108,15 +113,16 @@ def restore(kind: type, stored: Mapping[str, Json]) -> Any:
     Raises:
         ValueError: A field is missing, unknown, or not of the declared shape.
     """
-    expected = {entry.name for entry in _fields(kind)}
+    made: Any = kind
+    expected = {entry.name for entry in _fields_of(made)}
     if set(stored) != expected:
         raise ValueError(f"stored givens {sorted(stored)} do not fit {kind.__name__} with {sorted(expected)}")
-    hints = _hints(kind)
-    return kind(**{name: _restored(hints[name], value) for name, value in stored.items()})
+    hints = _hints(made)
+    return made(**{name: _restored(hints[name], value) for name, value in stored.items()})
 
 
 @lru_cache(maxsize=512)
-def _hints(kind: type) -> dict[str, Any]:
+def _hints(kind: Any) -> dict[str, Any]:
     return get_type_hints(kind)
 
 

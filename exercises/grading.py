@@ -19,7 +19,7 @@ PLAUSIBLE = 1e3  # follow-through only from values within this factor of the ref
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
 
 
-class UnknownAnswer(ValueError):  # noqa: N818
+class UnknownAnswer(ValueError):
     """The submission names an answer that the exercise does not ask for."""
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from exercises.draw import Draw
 from exercises.exercise import AnyExercise, Line, Steps, Variant
-from exercises.givens import domains, numbers, words_of
+from exercises.givens import Domain, domains, numbers, words_of
 from graders import Expression, Formula, Grader, Reference, States, Symbols, Value
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, line_runner, run
@@ -109,7 +109,9 @@ class Solved:
         """Give the step an answer asks for."""
         return self.answers[answer].step or answer
 
-    def reference(self, answer: str, values: Mapping[str, Value] | None = None, replaced: Steps | None = None) -> Reference:
+    def reference(
+        self, answer: str, values: Mapping[str, Value] | None = None, replaced: Steps | None = None
+    ) -> Reference:
         """Give what an answer is judged against: a value, or a formula with its true states.
 
         A replaced given leaves a formula answer as it is; only a replaced step changes it.
@@ -166,7 +168,7 @@ class Solved:
         raise UndefinedError(f"{self.variant.exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
 
 
-def _inside(rng: Draw, domain: Any, turn: int) -> float:
+def _inside(rng: Draw, domain: Domain, turn: int) -> float:
     """Draw a value; the turns walk through sixteenths of the range in different orders."""
     if domain.integer:
         return float(int(domain.low) + rng.below(int(domain.high - domain.low) + 1))

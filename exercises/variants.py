@@ -9,8 +9,9 @@ from typing import Any
 from exercises import catalogue
 from exercises.draw import Draw, Rejected
 from exercises.exercise import AnyExercise, Variant
-from exercises.givens import Json, restore as restore_givens
+from exercises.givens import Json
 from exercises.givens import dump as dump_givens
+from exercises.givens import restore as restore_givens
 from exercises.solving import Solved, solve
 from graders import Expression, Reference
 from graders.language.doubles import UndefinedError

@@ -17,14 +17,14 @@ from typing import Any
 
 from graders.language.symbols import GREEK
 from graders.units import read_unit
-from graders.words import LANGUAGES, decimal
+from graders.words import decimal
 
 Words = Mapping[str, Any]
 NARROW = "\u202f"  # narrow no-break space between a number and its unit
 PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
 MATHS = re.compile(r"\$([^$]*)\$")
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
-PRINTED = {"deg": "°", "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"}}
+PRINTED: dict[str, str | dict[str, str]] = {"deg": "°", "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"}}
 REQUIRED = ("title", "summary", "statement", "answers", "mistakes", "figure", "steps")
 
 
@@ -168,10 +168,3 @@ def indexed(section: Mapping[str, str], name: str) -> str:
     stem = name.rstrip("0123456789")
     index = name[len(stem) :]
     return section[stem + "{i}"].replace("{i}", f"{{{index}}}")
-
-
-def shown_both(text: str) -> tuple[str, str]:
-    """Give one line as HTML and as plain text."""
-    return inline(text), plain(text)
-
-

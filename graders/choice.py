@@ -45,7 +45,9 @@ class Choice:
     def samples(self, reference: str) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
         letter = "abcdefghijkl"[self.options.index(reference)]
-        return Samples((reference, letter, f" {letter}) "), tuple(o for o in self.options if o != reference), ("", "?", "zz"))
+        return Samples(
+            (reference, letter, f" {letter}) "), tuple(o for o in self.options if o != reference), ("", "?", "zz")
+        )
 
     def echo(self, answer: str) -> Echo:
         """Say which option was read."""

@@ -123,7 +123,9 @@ def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
     return Finding.UNDECIDED
 
 
-def defined_at(tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...], point: tuple[float, ...]) -> bool:
+def defined_at(
+    tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...], point: tuple[float, ...]
+) -> bool:
     """Tell in doubles whether a formula and the lines it stands on have a value at a point."""
     try:
         values = run(_everything(tree, names, lines), list(point))

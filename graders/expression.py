@@ -61,7 +61,9 @@ class Expression:
         """Give texts that must be judged right, wrong and unreadable."""
         text = text_of(reference.tree)
         right = (text, f"2*({text})/2", f"({text}) + 1 - 1", f"{self.step} = {text}")
-        return Samples(right, (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})"), ("", f"({text}", "1 +", self.step))
+        return Samples(
+            right, (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})"), ("", f"({text}", "1 +", self.step)
+        )
 
     def echo(self, answer: Tree) -> Echo:
         """Show the formula as it was read."""

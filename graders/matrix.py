@@ -15,7 +15,8 @@ from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Grid, Relation, Tree, names
+from graders.language.tree import Angle, Grid, Relation, Tree, Unary, names, walk
+from graders.units import read_unit
 from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
 
 GREATEST = 1e99
@@ -31,12 +32,14 @@ class Typed:
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """A matrix of numbers in SI units; an entry is right within rtol of max(1, largest entry).
+    """A matrix of numbers; an entry is right within rtol of max(1, largest entry), both in SI units.
 
     Args:
         rows: Number of rows, shown as a grid.
         columns: Number of columns.
         rtol: Tolerance of an entry over the scale max(1, |largest entry|).
+        units: The unit of each column, in which its bare numbers are read; empty for SI units. An entry with a degree
+            sign is an angle whatever the unit.
         step: The step asked for; empty for the step named like the answer.
         weight: Share in the score.
     """
@@ -44,6 +47,7 @@ class Matrix:
     rows: int
     columns: int
     rtol: float = 0.002
+    units: tuple[str, ...] = ()
     step: str = ""
     weight: float = 1.0
     kind: ClassVar[str] = "matrix"
@@ -55,7 +59,13 @@ class Matrix:
             tree = tree.sides[1]
         if not isinstance(tree, Grid):
             raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
-        return Typed(tree, tuple(tuple(_number(entry, text) for entry in row) for row in tree.rows))
+        return Typed(tree, tuple(tuple(self._value(at, e, text) for at, e in enumerate(row)) for row in tree.rows))
+
+    def _value(self, column: int, entry: Tree, text: str) -> float:
+        return _number(entry, text) * (1.0 if any(map(_arc, walk(entry))) else self._factor(column))
+
+    def _factor(self, column: int) -> float:
+        return read_unit(self.units[column]).factor if column < len(self.units) else 1.0
 
     def check(self, answer: Typed, reference: Rows) -> Verdict:
         """Judge each entry; credit falls to nothing when half of the entries are wrong."""
@@ -75,12 +85,15 @@ class Matrix:
         return Verdict(score, Code.SOME_ENTRIES if score else Code.WRONG, Entries(off, total))
 
     def show(self, reference: Rows) -> str:
-        """Write a reference with eight decimals."""
-        return "[" + ", ".join("[" + "; ".join(_decimal(e) for e in row) + "]" for row in reference) + "]"
+        """Write a reference in the printed units with eight decimals."""
+        return "[" + ", ".join("[" + "; ".join(row) + "]" for row in self._written(reference)) + "]"
+
+    def _written(self, rows: Rows) -> list[list[str]]:
+        return [[_decimal(e / self._factor(at)) for at, e in enumerate(row)] for row in rows]
 
     def samples(self, reference: Rows) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
-        flat = "; ".join(" , ".join(_decimal(e) for e in row) for row in reference)
+        flat = "; ".join(" , ".join(row) for row in self._written(reference))
         off = tuple(tuple(e + 9 * _scale(reference) for e in row) for row in reference)
         return Samples((self.show(reference), f"[{flat}]"), (self.show(off), "[[1]]"), ("", "[[1; 2]", "3", "[[a]]"))
 
@@ -101,8 +114,9 @@ class Matrix:
         return max(abs(a - b) for a, b in pairs) / bound
 
     def describe(self) -> Mapping[str, Any]:
-        """Give shape and tolerance of the field."""
-        return {"rows": self.rows, "columns": self.columns, "rtol": self.rtol}
+        """Give shape, tolerance and units of the field."""
+        units = {"units": list(self.units)} if self.units else {}
+        return {"rows": self.rows, "columns": self.columns, "rtol": self.rtol, **units}
 
 
 def _scale(rows: Rows) -> float:
@@ -111,6 +125,10 @@ def _scale(rows: Rows) -> float:
 
 def _decimal(entry: float) -> str:
     return f"{entry:.8f}".rstrip("0").rstrip(".") if abs(entry) >= 5e-9 else "0"
+
+
+def _arc(node: Tree) -> bool:
+    return isinstance(node, Angle) or (isinstance(node, Unary) and node.operator == "°")
 
 
 def _number(entry: Tree, text: str) -> float:

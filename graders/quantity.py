@@ -206,5 +206,3 @@ def _unit_starts(tokens: list[Token], end: int) -> int:
         if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
             at -= 1
     return tokens[at].position
-
-

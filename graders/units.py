@@ -29,7 +29,9 @@ L, M, T, A, K = 0, 1, 2, 3, 4
 NONE = Unit((0, 0, 0, 0, 0), 1.0)
 
 
-def _unit(factor: float, length: int = 0, mass: int = 0, time: int = 0, angle: int = 0, heat: int = 0, tag: str = "") -> Unit:
+def _unit(
+    factor: float, length: int = 0, mass: int = 0, time: int = 0, angle: int = 0, heat: int = 0, tag: str = ""
+) -> Unit:
     return Unit((length, mass, time, angle, heat), factor, tag)
 
 
@@ -51,7 +53,7 @@ PREFIXES = {
     "к": 1e3, "М": 1e6, "Г": 1e9, "м": 1e-3, "мк": 1e-6, "с": 1e-2, "д": 1e-1,
 }  # fmt: skip
 PLAIN = {
-    **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов", "grad."), _unit(math.pi / 180, angle=1)),
+    **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов"), _unit(math.pi / 180, angle=1)),
     **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
     **dict.fromkeys(('"', "arcsec"), _unit(math.pi / 648000, angle=1)),
     **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1)),
@@ -77,7 +79,9 @@ def _table() -> dict[str, Unit]:
 
 
 TABLE = _table()
-PIECE = re.compile(r"(?P<name>[^\W\d_²³¹⁰ⁱ-₉]+|[°'\"%])|(?P<number>\d+)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<mark>\*\*|[-*/^().])")
+PIECE = re.compile(
+    r"(?P<name>[^\W\d_²³¹⁰ⁱ-₉]+|[°'\"%])|(?P<number>\d+)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<mark>\*\*|[-*/^().])"
+)
 
 
 @lru_cache(maxsize=2048)
@@ -167,16 +171,22 @@ class _UnitReader:
             self.step()
             self.depth -= 1
             return unit
-        unit = TABLE.get(self.piece) if self.kind in ("name", "number") else None
-        if unit is None:
+        found = TABLE.get(self.piece) if self.kind in ("name", "number") else None
+        if found is None:
             raise self.error()
         self.step()
-        return unit
+        return found
 
 
 def _times(one: Unit, other: Unit, power: int) -> Unit:
     a, b = one.dimension, other.dimension
-    dimension = (a[0] + power * b[0], a[1] + power * b[1], a[2] + power * b[2], a[3] + power * b[3], a[4] + power * b[4])
+    dimension = (
+        a[0] + power * b[0],
+        a[1] + power * b[1],
+        a[2] + power * b[2],
+        a[3] + power * b[3],
+        a[4] + power * b[4],
+    )
     tag = other.tag if one == NONE and power == 1 else one.tag if other == NONE else ""
     return Unit(dimension, one.factor * float(other.factor) ** power, tag)
 
@@ -184,7 +194,7 @@ def _times(one: Unit, other: Unit, power: int) -> Unit:
 def fits(typed: Unit, expected: Unit) -> bool:
     """Tell whether a typed unit measures the expected quantity.
 
-    An angle may be left out of a unit (1/s for rad/s, Pa for N/m^2 as ever); energy and cycles stand only for themselves.
+    An angle may be left out of a unit (1/s for rad/s); energy and cycles stand only for themselves.
     """
     if typed.tag and typed.tag != expected.tag:
         return False

@@ -39,7 +39,9 @@ def message(verdict: Verdict, lang: str) -> str:
     words = locale(lang)
     match verdict.details:
         case Reading(reason=reason, position=position, proposal=proposal) if verdict.code is Code.UNREADABLE:
-            return str(words["unreadable"]).format(why=_reading(words, reason, position, proposal.found, proposal.meant))
+            return str(words["unreadable"]).format(
+                why=_reading(words, reason, position, proposal.found, proposal.meant)
+            )
         case Entries(wrong=off, total=total):
             places = ", ".join(f"({row}, {column})" for row, column in off[:6]) + ("…" if len(off) > 6 else "")
             return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)

@@ -7,7 +7,16 @@ from graders.language.symbols import GREEK
 from graders.language.text import ATOM, level
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
 
-OPERATORS = {"*": r" \cdot ", "+": " + ", "-": " - ", "<": " < ", ">": " > ", "<=": r" \le ", ">=": r" \ge ", "=": " = "}
+OPERATORS = {
+    "*": r" \cdot ",
+    "+": " + ",
+    "-": " - ",
+    "<": " < ",
+    ">": " > ",
+    "<=": r" \le ",
+    ">=": r" \ge ",
+    "=": " = ",
+}
 NATIVE = ("sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "exp", "ln", "log", "min", "max")
 
 

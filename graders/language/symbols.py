@@ -38,7 +38,9 @@ ALIASES = {
 @lru_cache(maxsize=4096)
 def key(spelling: str) -> str:
     """Fold the spellings of one symbol: `α₁`, `alpha_1` and `alpha1` have one key, `R_A` and `RA` too."""
-    letters = "".join(DOTS.get(c) or GREEK.get(c) or SUBSCRIPTS.get(c) or c for c in unicodedata.normalize("NFD", spelling))
+    letters = "".join(
+        DOTS.get(c) or GREEK.get(c) or SUBSCRIPTS.get(c) or c for c in unicodedata.normalize("NFD", spelling)
+    )
     return unicodedata.normalize("NFC", letters.replace("_", "").replace("′", "'"))
 
 

@@ -1,0 +1,140 @@
+"""The contract each exercise is held to; a new folder is tested without touching this file."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from exercises import catalogue, variants
+from exercises.exercise import Submission, Variant
+from exercises.grading import grade, preview, reference
+from exercises.presenting import hint, hint_text, presented, solution
+from exercises.solving import Solved
+from exercises.verifying import verify
+from graders import Code, Outcome, Verdict
+from graders.words import LANGUAGES
+
+EVERY = pytest.mark.parametrize("exercise_id", catalogue.ids())
+SEEDS = range(5)
+
+
+@EVERY
+def test_the_publish_gate_finds_nothing(exercise_id: str) -> None:
+    assert verify(exercise_id, range(30)).failures == ()
+
+
+@EVERY
+def test_the_same_seed_gives_the_same_variant(exercise_id: str) -> None:
+    assert [variants.deal(exercise_id, seed) for seed in SEEDS] == [variants.deal(exercise_id, seed) for seed in SEEDS]
+
+
+@EVERY
+def test_a_stored_variant_comes_back_as_it_was(exercise_id: str) -> None:
+    for seed in SEEDS:
+        variant = variants.deal(exercise_id, seed)
+        assert variants.restore(variants.dump(variant)) == variant
+
+
+@EVERY
+def test_the_shown_reference_is_graded_right(exercise_id: str) -> None:
+    for seed in SEEDS:
+        variant = variants.deal(exercise_id, seed)
+        grade_ = grade(Submission(variant, reference(variant)))
+        assert grade_.score == 1
+        assert {verdict.code for verdict in grade_.verdicts.values()} == {Code.RIGHT}
+        assert grade_.counted and grade_.mistake is None
+
+
+@EVERY
+def test_an_empty_submission_is_unreadable_and_not_counted(exercise_id: str) -> None:
+    grade_ = grade(Submission(variants.deal(exercise_id, 1), {}))
+    assert {verdict.outcome for verdict in grade_.verdicts.values()} == {Outcome.UNREADABLE}
+    assert (grade_.score, grade_.counted) == (0, False)
+
+
+def slips(exercise_id: str) -> list[tuple[Variant, str, dict[str, str]]]:
+    """Each mistake made once: the first variant in which it has an occasion, and what is typed."""
+    found: dict[str, tuple[Variant, str, dict[str, str]]] = {}
+    for seed in range(60):
+        variant = variants.deal(exercise_id, seed)
+        solved = Solved(catalogue.load(exercise_id).exercise, variant)
+        for name, expected in variants.predictions(solved).items():
+            typed = {answer: grader.show(expected[answer]) for answer, grader in solved.answers.items()}
+            found.setdefault(name, (variant, name, typed))
+    return list(found.values())
+
+
+@EVERY
+def test_each_mistake_is_wrong_and_recognised_and_has_a_hint(exercise_id: str) -> None:
+    made = slips(exercise_id)
+    assert {name for _, name, _ in made} == set(catalogue.load(exercise_id).exercise.mistakes)
+    assert len(made) >= 4
+    for variant, name, typed in made:
+        grade_ = grade(Submission(variant, typed))
+        assert grade_.mistake == name
+        assert any(v.outcome in (Outcome.WRONG, Outcome.PARTLY) for v in grade_.verdicts.values()), name
+        assert all(hint(variant, name, lang) and hint_text(variant, name, lang) for lang in LANGUAGES)
+
+
+@EVERY
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_variant_is_presented_and_solved_in_every_language(exercise_id: str, lang: str) -> None:
+    variant = variants.deal(exercise_id, 3)
+    shown = presented(variant, lang)
+    assert shown.title and shown.summary and "{{" not in shown.statement_html and "$" not in shown.statement_text
+    assert all(field.prompt_text for field in shown.answers.values())
+    assert shown.picture is not None and shown.picture.svg.startswith("<svg")
+    assert all(line.heading_html and line.value for line in solution(variant, lang))
+
+
+@EVERY
+def test_a_preview_does_not_depend_on_the_seed(exercise_id: str) -> None:
+    """Two seeds of one topology: whatever is typed, the same is understood."""
+    one = variants.deal(exercise_id, 1)
+    names = list(catalogue.load(exercise_id).exercise.answers_of(one.givens))
+    other = next(v for v in (variants.deal(exercise_id, s) for s in range(2, 200)) if _symbols(v) == _symbols(one))
+    for text in ("12,5", "3 mm", "l1 + 1", "ac(x+1)", "[[1; 2]]", ""):
+        for name in names:
+            assert preview(one, name, text) == preview(other, name, text)
+
+
+def _symbols(variant: Variant) -> dict[str, tuple[str, ...]]:
+    return {name: field.symbols for name, field in presented(variant, "en").answers.items()}
+
+
+@EVERY
+def test_text_that_is_no_answer_is_unreadable_with_its_place(exercise_id: str) -> None:
+    variant = variants.deal(exercise_id, 2)
+    for name in catalogue.load(exercise_id).exercise.answers_of(variant.givens):
+        found = preview(variant, name, "1 +* (")
+        assert isinstance(found, Verdict) and found.outcome is Outcome.UNREADABLE
+
+
+@EVERY
+def test_the_oracle_does_not_stand_on_the_module_of_the_steps(exercise_id: str) -> None:
+    """With every function poisoned that the steps call, the oracle's results do not change."""
+    script = f"""
+import sys
+from exercises import catalogue, variants
+from exercises.solving import Solved
+exercise = catalogue.load({exercise_id!r}).exercise
+dealt = [variants.deal({exercise_id!r}, seed) for seed in range(5)]
+before = [exercise.oracle(variant.givens) for variant in dealt]
+import graders.language.doubles as doubles, exercises.solving as solving
+def poisoned(*_args, **_kwargs):
+    raise RuntimeError("the oracle uses the steps")
+doubles.run = solving.run = solving.evaluate = solving.solve = poisoned
+for variant in dealt:
+    for line in exercise.steps_of(variant.givens).values():
+        for cell in getattr(line, "__closure__", None) or ():
+            assert not callable(cell.cell_contents), "a step closes over a function"
+        for used in getattr(getattr(line, "__code__", None), "co_names", ()):
+            owner = sys.modules[line.__module__]
+            if callable(getattr(owner, used, None)) and used not in ("float", "max", "min", "abs", "len", "sum", "zip"):
+                setattr(owner, used, poisoned)
+after = [exercise.oracle(variant.givens) for variant in dealt]
+assert before == after
+"""
+    subprocess.run([sys.executable, "-c", script], check=True)

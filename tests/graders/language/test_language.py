@@ -1,0 +1,233 @@
+"""The answer language: what is read, what is refused and where, and that printing keeps what was written."""
+
+from __future__ import annotations
+
+import math
+import time
+from xml.etree import ElementTree
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from graders.language import AnswerSyntaxError, Reason, Symbols, Tree, parse
+from graders.language.balls import BALLS, precision
+from graders.language.doubles import DOUBLES, UndefinedError, line_runner, run
+from graders.language.latex import latex_of
+from graders.language.mathml import mathml_of, symbol_mathml
+from graders.language.program import Builder, Runner
+from graders.language.text import text_of
+from graders.language.tree import names
+from tests.graders.language.trees import NAMES, angles, matrices, trees
+
+DECLARED = Symbols(NAMES)
+POINT = {"l1": 0.1, "l2": 0.3, "alpha1": 0.7, "omega1": 20.0, "R_A": 1250.0, "x": 1.5, "a": 1.0, "F1": 800.0} | {
+    "psi_d": 2.0,
+    "lambda": 0.4,
+}
+
+
+def value(text: str) -> float:
+    runner = line_runner(parse(text, DECLARED))
+    return float(run(runner, [POINT[name] for name in runner.inputs])[0])
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.one_of(trees, angles, matrices))
+def test_a_printed_tree_reads_back_as_the_same_tree(tree: Tree) -> None:
+    assert parse(text_of(tree), DECLARED) == tree
+
+
+@settings(max_examples=100, deadline=None)
+@given(st.one_of(trees, angles, matrices))
+def test_mathml_is_well_formed_and_latex_balances_its_braces(tree: Tree) -> None:
+    assert ElementTree.fromstring(mathml_of(tree)).tag == "math"
+    latex = latex_of(tree)
+    assert latex.count("{") == latex.count("}")
+    assert latex.count(r"\left") == latex.count(r"\right")
+
+
+@pytest.mark.parametrize(
+    ("typed", "plain"),
+    [
+        ("-l1*ω1*sin(α1)", "-(l1)*(omega1)*(sin((alpha1)))"),
+        ("2 l1 sin α1", "2*l1*sin(alpha1)"),
+        ("2l₁ sin 2α₁", "2*l1*sin(2*alpha1)"),
+        ("l_1·cos(alpha_1)", "l1*cos(alpha1)"),
+        ("sin²(α1) + cos^2 α1", "1+0*x"),
+        ("√(x) + √4", "sqrt(x)+2"),
+        ("|a - x|", "x-a"),
+        ("tg(α1)*ctg(α1)", "1"),
+        ("arctg(x) + arcctg(x)", "pi/2"),
+        ("1/2 a x²", "0.5*a*x^2"),
+        ("3,5·10^-2", "0.035"),
+        ("2^3^2", "512"),
+        ("-x^2", "0-x*x"),
+        ("RA x", "R_A*x"),
+        ("<x-a>^2", "(x-a)^2"),
+        ("<a-x>^2", "0"),
+        ("macaulay(x - a; 0)", "1"),
+        ("30°", "pi/6"),
+        ("12°30'", "12.5*pi/180"),
+        ("12°22'12\"", "12.37*pi/180"),
+        ("root(-8; 3)", "-2"),
+        ("min(3; 1; 2)", "1"),
+        ("atan2(1, 1)", "pi/4"),
+        ("x ÷ 2 − a×1", "x/2-a"),
+        ("х + а", "x + a"),  # Cyrillic letters that look Latin
+        ("λ", "lambda"),
+        ("ψ_d", "psi_d"),
+        ("log(1000)", "3"),
+        ("log(8; 2)", "3"),
+        ("exp(ln(2)) + sinh(0) + cosh(0) + tanh(0)", "3"),
+        ("sign(-x) + max(1; 2)", "1"),
+        ("cot(pi/4) + asin(1) + acos(1) + acot(0)", "1 + pi"),
+    ],
+)
+def test_spellings_mean_what_an_engineer_means(typed: str, plain: str) -> None:
+    assert value(typed) == pytest.approx(value(plain), rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason", "position"),
+    [
+        ("", Reason.EMPTY, 0),
+        ("   ", Reason.EMPTY, 0),
+        ("l1*(", Reason.NEEDS_OPERAND, 4),
+        ("(l1", Reason.NEEDS_BRACKET, 3),
+        ("l1)", Reason.EXTRA_BRACKET, 2),
+        ("l1 +", Reason.NEEDS_OPERAND, 4),
+        ("q7 + 1", Reason.UNKNOWN_NAME, 0),
+        ("1 + ax", Reason.UNKNOWN_NAME, 4),
+        ("a/2x", Reason.AMBIGUOUS_FRACTION, 3),
+        ("sin a x", Reason.AMBIGUOUS_ARGUMENT, 6),
+        ("sin^-1(x)", Reason.INVERSE_OR_RECIPROCAL, 0),
+        ("sin", Reason.NEEDS_ARGUMENTS, 0),
+        ("sin(1; 2)", Reason.NEEDS_ARGUMENTS, 0),
+        ("[[1; 2], [3]]", Reason.RAGGED_MATRIX, 0),
+        ("1e999999999", Reason.TOO_LARGE, 0),
+        ("9" * 61, Reason.TOO_LARGE, 0),
+        ("(" * 100 + "x" + ")" * 100, Reason.TOO_DEEP, 60),
+        ("x" * 3000, Reason.TOO_LONG, 2000),
+        ("x\u200b+1", Reason.BAD_CHARACTER, 1),
+        ("x\u202e", Reason.BAD_CHARACTER, 1),
+        ("x + ٣", Reason.BAD_CHARACTER, 4),
+        ("x\x00", Reason.BAD_CHARACTER, 1),
+        ("x\ud800", Reason.BAD_CHARACTER, 1),
+        ("x;1", Reason.EXTRA_TEXT, 1),
+        ("2 3", Reason.EXTRA_TEXT, 2),
+        ("().__class__", Reason.BAD_CHARACTER, 2),
+        ("__import__('os')", Reason.BAD_CHARACTER, 0),
+        ("[x for x in l1]", Reason.UNKNOWN_NAME, 3),
+        ("x.real", Reason.BAD_CHARACTER, 1),
+        ("limit(x; 0)", Reason.UNKNOWN_NAME, 0),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_its_place(typed: str, reason: Reason, position: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(typed, DECLARED)
+    assert (refused.value.reason, refused.value.position) == (reason, position)
+
+
+def test_a_run_of_declared_names_is_proposed_as_a_product() -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse("ax(x+1)", DECLARED)
+    assert refused.value.proposal.meant == "a·x"
+
+
+def test_a_name_in_the_wrong_case_is_proposed_in_the_right_one() -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse("L1 + 1", DECLARED)
+    assert refused.value.proposal.meant == "l1"
+
+
+@pytest.mark.parametrize("name", ["E", "I", "S", "N", "O", "Q", "beta", "gamma", "zeta", "lambda"])
+def test_names_that_mean_something_to_a_computer_algebra_system_are_plain_symbols(name: str) -> None:
+    tree = parse(f"2*{name}", Symbols([name]))
+    assert names(tree) == {name}
+
+
+def test_symbols_that_cannot_be_told_apart_are_refused() -> None:
+    with pytest.raises(ValueError, match="cannot be told apart"):
+        Symbols(["l1", "l_1"])
+
+
+@pytest.mark.parametrize(
+    ("name", "shown"),
+    [
+        ("alpha1", "<msub><mi>α</mi><mn>1</mn></msub>"),
+        ("R_A", "<msub><mi>R</mi><mi>A</mi></msub>"),
+        ("x", "<mi>x</mi>"),
+    ],
+)
+def test_symbols_are_shown_with_subscripts_and_greek_letters(name: str, shown: str) -> None:
+    assert symbol_mathml(name) == f"<math>{shown}</math>"
+
+
+@settings(max_examples=200, deadline=None)
+@given(trees)
+def test_a_ball_contains_the_value_in_doubles(tree: Tree) -> None:
+    """Two arithmetics, one program: the double lies within rounding of the ball, where both exist."""
+    used = sorted(names(tree))
+    builder = Builder(used)
+    program = builder.program(builder.add(tree))
+    try:
+        (double,) = run(Runner(program, DOUBLES), [POINT[name] for name in used])
+    except UndefinedError:
+        return
+    with precision(200):
+        from flint import arb
+
+        (ball,) = Runner(program, BALLS).run([arb(POINT[name]) for name in used])
+        if not ball.is_finite() or not math.isfinite(double) or abs(double) > 1e200:
+            return
+        scale = max((abs(v) for v in _magnitudes(tree)), default=1.0)
+        assert abs(float(ball.mid()) - double) <= 1e-6 * max(1.0, scale, abs(double))
+
+
+def _magnitudes(tree: Tree) -> list[float]:
+    """Sizes of all sub-results: the error of a sum is relative to its terms."""
+    from graders.language.tree import walk
+
+    found = []
+    for node in walk(tree):
+        runner = line_runner(node)
+        try:
+            (size,) = run(runner, [POINT[name] for name in runner.inputs])
+        except UndefinedError:
+            continue
+        if math.isfinite(size):
+            found.append(min(abs(size), 1e150) ** 2)
+    return found
+
+
+@pytest.mark.parametrize(
+    "hostile",
+    [
+        "9^9^9^9", "9**9**9**9", "(" * 1900, "[" * 1900, "-" * 1900 + "1", "x^" * 900 + "x", "1e999999999",
+        "exp(exp(exp(exp(9))))", "sin " * 400 + "x", "<" * 1900, "|" * 1900, "root(2; 0)", "0^-1", "1/0",
+        "[[" + ";".join("1" * 300) + "]]", "°" * 1900, "1'" * 900, "x" * 1999, "√" * 1900,
+    ],
+)  # fmt: skip
+def test_hostile_text_is_answered_within_fifty_milliseconds(hostile: str) -> None:
+    best = math.inf
+    for _ in range(3):
+        start = time.perf_counter()
+        try:
+            runner = line_runner(parse(hostile, DECLARED))
+            run(runner, [POINT[name] for name in runner.inputs])
+        except (AnswerSyntaxError, UndefinedError):
+            pass
+        best = min(best, time.perf_counter() - start)
+    assert best < 0.05
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.text(alphabet=st.sampled_from("lαx1+-*/^()[]<>|=;,.'\"°√² eE_ а"), max_size=40))
+def test_any_text_is_read_or_refused_with_a_place_inside_it(text: str) -> None:
+    try:
+        tree = parse(text, DECLARED)
+    except AnswerSyntaxError as refused:
+        assert 0 <= refused.position <= len(text)
+    else:
+        assert parse(text_of(tree), DECLARED) == tree

@@ -1,0 +1,294 @@
+"""The judges: every kind tests itself by its samples, and tells the slips apart that it promises to."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from graders import (
+    KINDS,
+    AnswerSyntaxError,
+    Choice,
+    Code,
+    Expression,
+    Formula,
+    Grader,
+    Integer,
+    Matrix,
+    Outcome,
+    Quantity,
+    States,
+    Symbols,
+)
+from graders.language import Reason, parse, parse_line
+from graders.verdict import OUTCOMES, Entries, Witness
+from graders.words import LANGUAGES, locale, message, tolerance
+
+NOTHING = Symbols(())
+NAMES = ("l1", "l2", "alpha1", "omega1")
+POINTS = tuple((0.04 + 0.01 * (k % 7), 0.2 + 0.02 * (k % 11), 0.37 + 0.383 * k, 5 + 2.1 * (k % 13)) for k in range(16))
+STATES = States(NAMES, POINTS, (("alpha2", parse_line("-asin(l1*sin(alpha1)/l2)")),))
+OMEGA2 = Formula(parse_line("-l1*omega1*cos(alpha1)/(l2*cos(alpha2))"), STATES)
+SYMBOLS = Symbols([*NAMES, "alpha2"], ["omega2"])
+RIGHT: list[tuple[Grader, Any, Symbols]] = [
+    (Quantity("MPa"), 12.5e6, NOTHING),
+    (Quantity("deg"), -0.2159, NOTHING),
+    (Quantity("mm", atol=1e-5), 0.0032, NOTHING),
+    (Integer(), 45.0, NOTHING),
+    (Choice(("strength", "stiffness")), "stiffness", NOTHING),
+    (Matrix(2, 2), ((0.5, -0.25), (0.0, 1.0)), NOTHING),
+    (Expression("omega2"), OMEGA2, SYMBOLS),
+]
+
+
+def judged(grader: Grader, text: str, reference: Any, symbols: Symbols = NOTHING) -> Code:
+    return grader.check(grader.parse(text, symbols), reference).code
+
+
+@pytest.mark.parametrize(("grader", "reference", "symbols"), RIGHT)
+def test_a_judge_passes_its_own_samples(grader: Grader, reference: Any, symbols: Symbols) -> None:
+    samples = grader.samples(reference)
+    assert {judged(grader, text, reference, symbols) for text in (*samples.right, grader.show(reference))} == {
+        Code.RIGHT
+    }
+    assert all(judged(grader, text, reference, symbols) is not Code.RIGHT for text in samples.wrong)
+    for text in samples.unreadable:
+        with pytest.raises(AnswerSyntaxError):
+            grader.parse(text, symbols)
+
+
+def test_every_kind_stands_in_the_registry_under_its_name() -> None:
+    assert {kind: cls.kind for kind, cls in KINDS.items()} == {kind: kind for kind in KINDS}
+    assert {type(grader) for grader, *_ in RIGHT} == set(KINDS.values())
+
+
+@pytest.mark.parametrize(("grader", "reference", "symbols"), RIGHT)
+def test_a_judge_echoes_what_it_read_and_describes_its_field(grader: Grader, reference: Any, symbols: Symbols) -> None:
+    answer = grader.parse(grader.show(reference), symbols)
+    assert grader.echo(answer).text
+    assert set(grader.describe()) <= {"unit", "rtol", "atol", "rows", "columns", "options"}
+    assert grader.carried(answer) is not None
+    assert grader.apart(reference, reference) == 0
+
+
+@pytest.mark.parametrize(
+    ("typed", "code"),
+    [
+        ("12,5", Code.RIGHT),
+        ("12500 kPa", Code.RIGHT),
+        ("1,25e7 Pa", Code.RIGHT),
+        ("12,5 N/mm²", Code.RIGHT),
+        ("25/2", Code.RIGHT),
+        ("12.5 [MPa]", Code.RIGHT),
+        ("σ = 12,5 МПа", Code.RIGHT),
+        ("1.25·10^7 N/m^2", Code.RIGHT),
+        ("12.5625", Code.RIGHT),
+        ("12.4375", Code.RIGHT),
+        ("12.56251", Code.NOT_PRECISE),
+        ("１２.5", Code.RIGHT),
+        ("12.5 kPa", Code.WRONG_UNIT),
+        ("12.5 mm", Code.WRONG_UNIT),
+        ("-12.5", Code.OPPOSITE_SIGN),
+        ("13 mm", Code.WRONG_DIMENSION),
+        ("125", Code.FACTOR_OF_TEN),
+        ("0.0125", Code.FACTOR_OF_TEN),
+        ("40", Code.WRONG),
+        ("0", Code.WRONG),
+    ],
+)
+def test_value_unit_sign_and_power_of_ten_are_told_apart(typed: str, code: Code) -> None:
+    assert judged(Quantity("MPa"), typed, 12.5e6) is code
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason"),
+    [
+        ("1..2", Reason.BAD_CHARACTER),
+        ("5 qq", Reason.UNKNOWN_UNIT),
+        ("NaN", Reason.NOT_A_NUMBER),
+        ("inf", Reason.NOT_A_NUMBER),
+        ("1e400", Reason.OUT_OF_RANGE),
+        ("9^9^9^9", Reason.OUT_OF_RANGE),
+        ("MPa", Reason.NOT_A_NUMBER),
+        ("", Reason.EMPTY),
+        ("[1; 2]", Reason.NOT_A_NUMBER),
+        ("0*kN + 5 m", Reason.NEEDS_OPERAND),
+        ("1e98 GPa", Reason.OUT_OF_RANGE),
+        ("1/0", Reason.OUT_OF_RANGE),
+        ("3 < 5", Reason.UNKNOWN_UNIT),
+        ("True", Reason.NOT_A_NUMBER),
+    ],
+)
+def test_what_is_no_quantity_is_unreadable(typed: str, reason: Reason) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("MPa").parse(typed, NOTHING)
+    assert refused.value.reason is reason
+
+
+@given(st.floats(-math.pi, math.pi), st.integers(-3, 3))
+def test_an_angle_is_right_modulo_a_full_turn(angle: float, turns: int) -> None:
+    typed = f"{math.degrees(angle) + 360 * turns:.9f}"
+    assert judged(Quantity("deg", atol=1e-6), typed, angle) is Code.RIGHT
+
+
+@given(st.floats(1e-3, 1e6), st.sampled_from(["", " ", "\u00a0"]))
+def test_four_figures_are_enough(value: float, gap: str) -> None:
+    assert judged(Quantity("kN"), f"{value / 1e3:.4g}{gap}kN".replace(".", ","), value) is Code.RIGHT
+
+
+@pytest.mark.parametrize("typed", ["-12,37°", "-12°22'20\"", "347.63", "-0.21593 rad", "-12.37 deg", "347,63 stopni"])
+def test_angles_are_read_in_degrees_minutes_and_radians(typed: str) -> None:
+    assert judged(Quantity("deg"), typed, -0.2159367698) is Code.RIGHT
+
+
+def test_credit_for_a_number_in_the_wrong_unit_is_declared_by_the_task() -> None:
+    strict = Quantity("MPa", unit_credit=0.0)
+    assert strict.check(strict.parse("12.5 kPa", NOTHING), 12.5e6).score == 0
+
+
+@pytest.mark.parametrize(
+    ("typed", "code"),
+    [
+        ("-l1*ω1*cos(α1)/(l2*cos(α2))", Code.RIGHT),
+        ("-l1*ω1*cos(α1)/sqrt(l2^2 - l1^2*sin(α1)^2)", Code.RIGHT),
+        ("ω1 cos α1 (-l1)/(l2 cos α2)", Code.RIGHT),
+        ("ω2 = -l1 ω1 cos(α1)/(l2 cos(α2))", Code.RIGHT),
+        ("-l1*ω1*cos(α1)/(l2*cos(α2)) * (1 + 1e-9)", Code.WRONG),
+        ("-l1*ω1*cos(α1)/(l2*cos(α2)) + 1e-12", Code.WRONG),
+        ("-l1*ω1*sin(α1)/(l2*cos(α2))", Code.WRONG),
+        ("sqrt(-1 - l1)", Code.UNDEFINED),
+        ("1/(l1 - l1)", Code.UNDEFINED),
+        ("2", Code.WRONG),
+    ],
+)
+def test_formulas_are_equal_as_functions_or_proved_different(typed: str, code: Code) -> None:
+    assert judged(Expression("omega2"), typed, OMEGA2, SYMBOLS) is code
+
+
+def test_a_different_formula_comes_with_a_witness() -> None:
+    judge = Expression("omega2")
+    verdict = judge.check(judge.parse("l1", SYMBOLS), OMEGA2)
+    assert isinstance(verdict.details, Witness)
+    assert [name for name, _ in verdict.details.point] == list(NAMES)
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason", "place"),
+    [
+        ("omega2", Reason.FORBIDDEN_NAME, 0),
+        ("l1 + ω2", Reason.FORBIDDEN_NAME, 5),
+        ("l1 = l2", Reason.NOT_AN_EXPRESSION, 0),
+    ],
+)
+def test_the_unknown_itself_is_no_answer(typed: str, reason: Reason, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Expression("omega2").parse(typed, SYMBOLS)
+    assert (refused.value.reason, refused.value.position) == (reason, place)
+
+
+def test_a_formula_that_cancels_to_zero_is_accepted_for_zero() -> None:
+    zero = Formula(parse_line("sin(alpha1)^2 + cos(alpha1)^2 - 1"), STATES)
+    assert judged(Expression("z"), "0", zero, SYMBOLS) is Code.RIGHT
+
+
+def test_brackets_that_open_inside_the_domain_are_seen() -> None:
+    states = States(("x", "a"), tuple((0.2 * k + 0.03, 1.5) for k in range(16)))
+    reference = Formula(parse_line("macaulay(x - a; 1)"), states)
+    names = Symbols(["x", "a"])
+    assert judged(Expression("M"), "<x-a>", reference, names) is Code.RIGHT
+    assert judged(Expression("M"), "x - a", reference, names) is Code.WRONG
+    assert judged(Expression("M"), "(x - a + |x - a|)/2", reference, names) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("[[0,5; -0,25], [0; 1]]", Code.RIGHT, 1),
+        ("[0.5, -0.25; 0, 1]", Code.RIGHT, 1),
+        ("A = [[1/2, -1/4], [0, 1]]", Code.RIGHT, 1),
+        ("[[sin(30°); -0.25], [0; 1]]", Code.RIGHT, 1),
+        ("[[0.5; 0.25], [0; 1]]", Code.SOME_ENTRIES, 0.5),
+        ("[[0.5; 0.25], [3; 1]]", Code.WRONG, 0),
+        ("[[0.5; -0.25]]", Code.WRONG_SHAPE, 0),
+    ],
+)
+def test_a_matrix_is_judged_entry_by_entry(typed: str, code: Code, score: float) -> None:
+    judge = Matrix(2, 2)
+    names = Symbols((), ["A"])
+    verdict = judge.check(judge.parse(typed, names), ((0.5, -0.25), (0.0, 1.0)))
+    assert (verdict.code, verdict.score) == (code, score)
+    assert not isinstance(verdict.details, Entries) or verdict.details.total == 4
+
+
+@pytest.mark.parametrize("typed", ["[[a; 1], [0; 1]]", "[[1/0; 1], [0; 1]]", "3", "[[1e99*100; 0], [0; 1]]"])
+def test_a_matrix_of_anything_but_numbers_is_unreadable(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Matrix(2, 2).parse(typed, Symbols(["a"]))
+
+
+@pytest.mark.parametrize("typed", ["45", " z3 = 45 ", "+45", "45,0", "45.00"])
+def test_a_whole_number_is_read_however_it_is_typed(typed: str) -> None:
+    assert judged(Integer(), typed, 45.0) is Code.RIGHT
+
+
+def test_a_whole_number_of_the_opposite_sign_is_named() -> None:
+    assert judged(Integer(), "−45", 45.0) is Code.OPPOSITE_SIGN
+
+
+@pytest.mark.parametrize("typed", ["b", "B)", "stiffness", "б"])
+def test_an_option_is_chosen_by_letter_or_name(typed: str) -> None:
+    judge = Choice(("strength", "stiffness"))
+    if typed == "б":
+        with pytest.raises(AnswerSyntaxError):
+            judge.parse(typed, NOTHING)
+    else:
+        assert judged(judge, typed, "stiffness") is Code.RIGHT
+
+
+def test_every_code_has_an_outcome_and_words_in_every_language() -> None:
+    assert set(OUTCOMES) == set(Code)
+    for lang in LANGUAGES:
+        assert set(locale(lang)["codes"]) == {code.value for code in Code}
+        assert set(locale(lang)["reasons"]) == {reason.value for reason in Reason}
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_an_unreadable_answer_is_worded_with_its_place_and_proposal(lang: str) -> None:
+    from graders.verdict import unreadable
+
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse("1 + ax", Symbols(["a", "x"]))
+    text = message(unreadable(refused.value), lang)
+    assert "5" in text and "a·x" in text and "{" not in text
+
+
+@pytest.mark.parametrize(("lang", "shown"), [("pl", "±0,5 %"), ("en", "±0.5 %"), ("ru", "±0,5 %")])
+def test_the_tolerance_at_a_field_is_made_from_its_rule(lang: str, shown: str) -> None:
+    assert tolerance(Quantity("mm").describe(), lang) == shown
+    assert "0,01 mm" in tolerance(Quantity("mm", atol=1e-5).describe(), "pl")
+    assert tolerance(Integer().describe(), lang) == ""
+    assert "0" in tolerance(Matrix(4, 4).describe(), lang)
+
+
+def test_a_language_that_is_not_spoken_is_refused() -> None:
+    with pytest.raises(KeyError):
+        locale("de")
+
+
+def test_outcomes_cover_what_a_student_is_told() -> None:
+    assert set(OUTCOMES.values()) == set(Outcome)
+
+
+@given(st.sampled_from([g for g, *_ in RIGHT]), st.text(max_size=30))
+def test_no_text_makes_a_judge_fail(grader: Grader, text: str) -> None:
+    reference = next(reference for judge, reference, _ in RIGHT if judge is grader)
+    try:
+        answer = grader.parse(text, SYMBOLS)
+    except AnswerSyntaxError as refused:
+        assert refused.position >= 0
+    else:
+        assert 0 <= grader.check(answer, reference).score <= 1
