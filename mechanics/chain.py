@@ -160,10 +160,7 @@ def solve(
     rates = tuple(qd) if qd is not None else (0.0,) * len(q)
     accelerations = tuple(qdd) if qdd is not None else (0.0,) * len(q)
     check_variables(chain.rows, chain.convention, q=q, qd=rates, qdd=accelerations)
-    if len(tool_point) != 3:
-        raise ValueError(f"tool_point has {len(tool_point)} coordinates, not 3")
-    for value in tool_point:
-        finite("tool_point coordinate", value, "m")
+    _check_point(tool_point)
     frames = _frames(chain, q)
     omega, epsilon, v, a = _recursion(chain, frames, rates, accelerations)
     arm = _rotated(frames[-1], tool_point)
@@ -176,6 +173,13 @@ def solve(
         omega=omega,
         epsilon=epsilon,
     )
+
+
+def _check_point(point: Vector) -> None:
+    if len(point) != 3:
+        raise ValueError(f"tool_point has {len(point)} coordinates, not 3")
+    for value in point:
+        finite("tool_point coordinate", value, "m")
 
 
 def _recursion(

@@ -223,7 +223,7 @@ def assemble(joints: Sequence[Joint], start: Sequence[Pose]) -> tuple[Pose, ...]
         poses, gap = closer
     if gap <= CLOSED * size:
         return poses
-    raise AssemblyError(f"the mechanism cannot be assembled: its joints stay {gap:.4g} (m, rad) apart")
+    raise AssemblyError(f"the mechanism cannot be assembled from this guess: its joints stay {gap:.4g} (m, rad) apart")
 
 
 def _newton_step(joints: Sequence[Joint], poses: Poses) -> tuple[Pose, ...] | None:

@@ -12,7 +12,7 @@ from typing import Literal, get_args
 
 from mechanics.checks import finite, positive
 from mechanics.errors import AssemblyError, SingularError
-from mechanics.linkage import LinkageMotion, Singular
+from mechanics.linkage import LinkageMotion, Singular, principal
 
 Branch = Literal["slider_right", "slider_left"]
 
@@ -57,7 +57,7 @@ def position(
         Domain VP-2 (4), (5); VP-3: sin a2 = (h - l1 sin a1)/l2.
     """
     at = _geometry(crank, rod, crank_angle, offset, branch)
-    return Position(atan2(at.sin2, at.cos2), crank * at.cos1 + rod * at.cos2)
+    return Position(principal(atan2(at.sin2, at.cos2)), crank * at.cos1 + rod * at.cos2)
 
 
 def _geometry(crank: float, rod: float, crank_angle: float, offset: float, branch: Branch) -> _Geometry:
@@ -122,13 +122,19 @@ def solve(
     epsilon2 = (l1 * (omega1**2 * s1 - epsilon1 * c1) + l2 * omega2**2 * s2) / (l2 * c2)  # (12)
     pin = _arm(l1, c1, s1, omega1, epsilon1)
     rod = _arm(l2, c2, s2, omega2, epsilon2)
+    angles = principal(atan2(s2, c2)), omega2, epsilon2
+    return _motion(angles, pin, rod, point_S_fraction_of_l2, Singular(abs(c2), "rod perpendicular to the guide"))
+
+
+def _motion(
+    angles: tuple[float, ...], pin: tuple[float, ...], rod: tuple[float, ...], fraction: float, singular: Singular
+) -> LinkageMotion:
     slider = [p + r for p, r in zip(pin, rod, strict=True)]  # (5), (9), (13)
-    point = [p + point_S_fraction_of_l2 * r for p, r in zip(pin, rod, strict=True)]
+    point = [p + fraction * r for p, r in zip(pin, rod, strict=True)]
     pos, vel, acc = (
-        {"alpha2": angle, "slider_x": slider[k], "S_x": point[k], "S_y": point[k + 3]}
-        for k, angle in enumerate((atan2(s2, c2), omega2, epsilon2))
+        {"alpha2": angle, "slider_x": slider[k], "S_x": point[k], "S_y": point[k + 3]} for k, angle in enumerate(angles)
     )
-    return LinkageMotion(pos, vel, acc, Singular(abs(c2), "rod perpendicular to the guide"))
+    return LinkageMotion(pos, vel, acc, singular)
 
 
 def _arm(length: float, c: float, s: float, omega: float, epsilon: float) -> tuple[float, ...]:
