@@ -1,0 +1,96 @@
+"""The application: routes, their policies, and what surrounds them."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager, suppress
+from datetime import UTC, datetime, timedelta
+from importlib.metadata import version
+from typing import Any
+
+from fastapi import APIRouter, Depends, FastAPI, Request
+from starlette.routing import Mount
+
+from exercises import catalogue
+from server import errors, exercises, health, pages, policy, static_files, submissions, variants
+from server.bench import Bench
+from server.database import Database, secret_of
+from server.envelope import Envelope
+from server.judging import Judging, JudgingThread
+from server.reader import admit
+from server.settings import Settings
+from server.storage import Storage, StorageUnavailable
+
+IDLE = timedelta(days=30)  # anonymous practice is forgotten after
+PURGE = 24 * 3600.0  # s between two purges
+ROUTERS = (health.router, exercises.router, variants.router, submissions.router, pages.router)
+log = logging.getLogger("grubler")
+
+description = APIRouter(dependencies=[Depends(admit)])
+
+
+@description.get("/api/v1/openapi.json", include_in_schema=False)
+async def openapi(request: Request) -> dict[str, Any]:
+    """Give the description of the interface."""
+    found: dict[str, Any] = request.app.openapi()
+    return found
+
+
+def create_app(settings: Settings, *, judging: Judging | None = None) -> FastAPI:
+    """Make the application.
+
+    Args:
+        settings: The server's settings; the store must have the tables of this version.
+        judging: Where exercises are computed, if not on a thread of its own.
+
+    Raises:
+        UndeclaredRoute: A route has no policy.
+        IncompleteExercise: An exercise folder is not complete.
+    """
+    catalogue.check()
+    app = FastAPI(
+        title="Grübler", version=version("grubler"), lifespan=_lifespan, redirect_slashes=False,
+        docs_url=None, redoc_url=None, openapi_url=None,
+    )  # fmt: skip
+    app.state.settings = settings
+    app.state.judging = judging
+    app.state.assets = static_files.find()
+    for router in (description, *ROUTERS):
+        app.router.routes.extend(router.routes)
+    app.router.routes.append(Mount("/static", static_files.Static()))
+    policy.check(app.routes)
+    errors.install(app)
+    app.add_middleware(Envelope, https=settings.https)
+    return app
+
+
+@asynccontextmanager
+async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
+    settings: Settings = app.state.settings
+    if app.state.assets.script is None:
+        log.warning("The style sheet and the scripts are not built; pages are plain. Install the project again.")
+    storage = Database(settings.store_url)
+    judging = app.state.judging or JudgingThread()
+    secret = settings.secret or secret_of(settings.store_url)
+    app.state.bench = Bench(settings, storage, judging, secret, app.state.assets)
+    purging = asyncio.create_task(_purge_daily(storage))
+    try:
+        yield
+    finally:
+        purging.cancel()
+        with suppress(asyncio.CancelledError):
+            await purging
+        judging.close()
+        storage.close()
+
+
+async def _purge_daily(storage: Storage) -> None:
+    while True:
+        try:
+            gone = await storage.purge(datetime.now(UTC) - IDLE)
+            log.info("forgot %d idle practice variants", gone)
+        except StorageUnavailable as error:
+            log.warning("idle practice variants stay for now: %s", error)
+        await asyncio.sleep(PURGE)

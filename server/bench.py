@@ -1,0 +1,33 @@
+"""What every resource works with: the store, the judge, the secret, the settings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from fastapi import Depends, Request
+
+from server.judging import Judging
+from server.settings import Settings
+from server.static_files import Assets
+from server.storage import Storage
+
+
+@dataclass(frozen=True, slots=True)
+class Bench:
+    """The tools of one running server."""
+
+    settings: Settings
+    storage: Storage
+    judging: Judging
+    secret: bytes
+    assets: Assets
+
+
+async def bench(request: Request) -> Bench:
+    """Give the tools of the server that answers this request."""
+    found: Bench = request.app.state.bench
+    return found
+
+
+Tools = Annotated[Bench, Depends(bench)]

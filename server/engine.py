@@ -1,0 +1,38 @@
+"""Connections to the store: SQLite that writes through to disk, or PostgreSQL."""
+
+from __future__ import annotations
+
+from sqlite3 import Connection as SQLiteConnection
+from typing import Any
+
+from sqlalchemy import Connection, Engine, create_engine, event, make_url
+
+BUSY = 10_000  # ms to wait for another process's lock
+READERS = 4  # threads and connections that read
+
+PRAGMAS = ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={BUSY}")
+
+
+def engine(url: str, *, connections: int, begin: str = "BEGIN") -> Engine:
+    """Make an engine.
+
+    Args:
+        url: Address of the store as SQLAlchemy reads it.
+        connections: Most connections that are kept open.
+        begin: How a transaction begins on SQLite; a writer takes its lock at once with ``BEGIN IMMEDIATE``.
+    """
+    made = create_engine(url, pool_size=connections, max_overflow=0, pool_pre_ping=not url.startswith("sqlite"))
+    if make_url(url).get_backend_name() == "sqlite":
+        event.listen(made, "connect", _prepare)
+        event.listen(made, "begin", lambda connection: _begin(connection, begin))
+    return made
+
+
+def _prepare(connection: SQLiteConnection, record: Any) -> None:
+    connection.isolation_level = None  # the driver must not begin transactions of its own
+    for pragma in PRAGMAS:
+        connection.execute(f"PRAGMA {pragma}").close()
+
+
+def _begin(connection: Connection, begin: str) -> None:
+    connection.exec_driver_sql(begin)

@@ -1,0 +1,103 @@
+"""Around every request: a number, a bounded body, security headers, and no traceback."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.requests import Request
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from server.errors import Refused, respond
+
+LARGEST_BODY = 64 * 1024  # bytes
+SLOWEST_BODY = 20.0  # s
+log = logging.getLogger("grubler")
+
+CONTENT_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; img-src 'self'; connect-src 'self'; "
+    "frame-ancestors 'none'; form-action 'self'; base-uri 'none'"
+)
+HEADERS = {
+    "Content-Security-Policy": CONTENT_POLICY,
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "same-origin",
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=()",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+}
+HSTS = {"Strict-Transport-Security": "max-age=31536000"}
+
+
+class Envelope:
+    """Wraps the application; `https` adds the header that keeps browsers on it."""
+
+    def __init__(self, app: ASGIApp, https: bool) -> None:
+        self._app = app
+        self._headers = HEADERS | (HSTS if https else {})
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer one request."""
+        if scope["type"] != "http":
+            await self._app(scope, receive, send)
+            return
+        scope["request_id"] = f"r-{secrets.token_hex(5)}"
+        sealed = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]})
+        try:
+            await self._app(scope, bounded(Headers(scope=scope), receive), sealed)
+        except Exception:  # nothing of ours may reach the reader but its number
+            log.exception("request %s failed", scope["request_id"])
+            if sealed.begun:
+                raise
+            await respond(Request(scope), Refused(500, "our_fault"))(scope, receive, sealed)
+
+
+class Sealed:
+    """Sends a response with our headers; what is made for one reader is not stored on its way."""
+
+    def __init__(self, send: Send, headers: dict[str, str]) -> None:
+        self._send = send
+        self._headers = headers
+        self.begun = False
+
+    async def __call__(self, message: Message) -> None:
+        """Send one message."""
+        if message["type"] == "http.response.start":
+            self.begun = True
+            headers = MutableHeaders(scope=message)
+            headers.update(self._headers)
+            headers.setdefault("Cache-Control", "no-store")
+        await self._send(message)
+
+
+def bounded(headers: Headers, receive: Receive) -> Receive:
+    """Bound the size of a body and the time it may take, while it is read."""
+    declared = headers.get("content-length", "0")
+    size, whole = 0, False
+    deadline = asyncio.get_running_loop().time() + SLOWEST_BODY
+
+    async def read() -> Message:
+        nonlocal size, whole
+        if whole:
+            return await receive()
+        if declared.isdecimal() and int(declared) > LARGEST_BODY:
+            raise _too_large()
+        try:
+            async with asyncio.timeout_at(deadline):
+                message = await receive()
+        except TimeoutError:
+            raise Refused(408, "too_slow", headers={"Connection": "close"}) from None
+        size += len(message.get("body", b""))
+        whole = not message.get("more_body", False)
+        if size > LARGEST_BODY:
+            raise _too_large()
+        return message
+
+    return read
+
+
+def _too_large() -> Refused:
+    return Refused(413, "too_large", headers={"Connection": "close"}, limit=LARGEST_BODY // 1024)

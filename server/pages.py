@@ -1,0 +1,182 @@
+"""The pages: catalogue, exercise, workspace, worked solution. Complete HTML; scripts only add to it."""
+
+from __future__ import annotations
+
+import secrets
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends, Query, Request
+from starlette.responses import HTMLResponse, RedirectResponse
+
+from exercises import catalogue, presenting
+from exercises.exercise import AnyExercise
+from exercises.variants import MAX_SEED
+from server import forms, ids
+from server.bench import Bench, Tools
+from server.errors import Refused
+from server.exercises import known, sample
+from server.forms import Form
+from server.policy import may_see_solution
+from server.reader import Asking, Reader, admit, remember
+from server.storage import Dealt
+from server.submissions import Graded, graded, receipted, submit
+from server.templating import counted, page
+from server.variants import dealt_to, restored, solved, visible
+from server.workspace import Line, lines
+
+router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """An exercise on the shelf."""
+
+    id: str
+    chapter: str
+    exercise: AnyExercise
+    shown: presenting.Presented
+    answers: str
+
+    def says(self, wish: str) -> bool:
+        """Whether the card says what is looked for."""
+        text = " ".join((self.id, self.shown.title, self.shown.summary, *self.exercise.systems))
+        return all(word in text.casefold() for word in wish.casefold().split())
+
+
+@router.get("/")
+async def show_catalogue(
+    request: Request, bench: Tools, reader: Asking,
+    chapter: Annotated[str, Query(max_length=40)] = "", q: Annotated[str, Query(max_length=80)] = "",
+) -> HTMLResponse:  # fmt: skip
+    """Show all exercises, or those of a chapter, or those that say something."""
+    cards = [await card(bench, name, reader.language) for name in catalogue.ids()]
+    found = [one for one in cards if chapter in ("", one.chapter) and one.says(q)]
+    context = {"cards": found, "chapters": Counter(one.chapter for one in cards), "chapter": chapter, "q": q}
+    return page(request, reader.language, "catalogue.html", context)
+
+
+@router.get("/exercises/{exercise}")
+async def show_exercise(exercise: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show one exercise and the button that deals a variant."""
+    context = {"card": await card(bench, known(exercise), reader.language), "max_seed": MAX_SEED}
+    return page(request, reader.language, "exercise.html", context)
+
+
+@router.post("/exercises/{exercise}")
+async def practise(exercise: str, request: Request, bench: Tools, reader: Asking) -> RedirectResponse:
+    """Deal a variant and go there."""
+    form = await forms.read(request)
+    dealt, cookie = await dealt_to(bench, reader, exercise, _seed(form.values.get("seed", "").strip()))
+    response = RedirectResponse(f"/variants/{dealt.id}", 303)
+    remember(response, bench, cookie)
+    return response
+
+
+def _seed(text: str) -> int | None:
+    if not text:
+        return None
+    if not (text.isascii() and text.isdecimal() and len(text) <= 16 and int(text) <= MAX_SEED):
+        raise Refused(422, "out_of_range", field="seed", name="seed")
+    return int(text)
+
+
+@router.get("/variants/{variant}")
+async def show_workspace(
+    variant: str,
+    request: Request,
+    bench: Tools,
+    reader: Asking,
+    receipt: Annotated[str | None, Query(max_length=64)] = None,
+) -> HTMLResponse:
+    """Show the task with its figure and answers, as they were last handed in."""
+    dealt = await visible(bench, reader, variant)
+    last = await receipted(bench, reader, receipt) if receipt else await bench.storage.latest(dealt.id)
+    if last is not None and last.handed.variant != dealt.id:
+        raise Refused(404, "unknown_submission")
+    result = await graded(bench, last, reader.language) if last else None
+    typed = (
+        {name: text if isinstance(text, str) else "\n".join(text) for name, text in result.answers.items()}
+        if result
+        else {}
+    )
+    return await _workspace(request, bench, reader, dealt, typed, result, bool(receipt))
+
+
+@router.post("/variants/{variant}")
+async def check(variant: str, request: Request, bench: Tools, reader: Asking) -> RedirectResponse:
+    """Hand in the answers and go to the verdicts."""
+    form = await forms.read(request)
+    dealt = await visible(bench, reader, variant)
+    typed = await _typed(bench, reader, dealt, form)
+    body = ids.digest(form.raw)
+    key = form.values.get(forms.KEY, "")[:32]
+    once = ids.digest(key.encode(), body.encode()) if key else None  # another answer on the same page is a new one
+    marked, _ = await submit(bench, reader, variant, typed, once, body)
+    return RedirectResponse(f"/variants/{dealt.id}?receipt={marked.handed.receipt}#result", 303)
+
+
+@router.post("/variants/{variant}/preview")
+async def show_reading(variant: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show how the answers are read, without judging or storing them."""
+    form = await forms.read(request)
+    dealt = await visible(bench, reader, variant)
+    typed = await _typed(bench, reader, dealt, form)
+    return await _workspace(request, bench, reader, dealt, typed, None, False)
+
+
+@router.get("/variants/{variant}/solution")
+async def show_solution(variant: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show the worked solution once it is open."""
+    dealt = await visible(bench, reader, variant)
+    context = {"lines": await solved(bench, reader, dealt), "dealt": dealt, "shown": await _shown(bench, reader, dealt)}
+    return page(request, reader.language, "solution.html", context)
+
+
+async def card(bench: Bench, exercise: str, language: str) -> Card:
+    """Make the card of an exercise."""
+    entry = catalogue.load(exercise)
+    shown = await bench.judging.run(sample, exercise, language)
+    kinds = Counter(field.kind for field in shown.answers.values())
+    asked = ", ".join(counted(language, number, f"kinds.{kind}") for kind, number in kinds.items())
+    return Card(exercise, entry.chapter, entry.exercise, shown, asked)
+
+
+async def _shown(bench: Bench, reader: Reader, dealt: Dealt) -> presenting.Presented:
+    return await bench.judging.run(presenting.presented, restored(dealt), reader.language)
+
+
+async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict[str, str]:
+    shown = await _shown(bench, reader, dealt)
+    return {name: form.answer(field) for name, field in shown.answers.items()}
+
+
+async def _workspace(
+    request: Request,
+    bench: Bench,
+    reader: Reader,
+    dealt: Dealt,
+    typed: Mapping[str, str],
+    result: Graded | None,
+    fresh: bool,
+) -> HTMLResponse:
+    shown = await _shown(bench, reader, dealt)
+    laid = await lines(bench, restored(dealt), shown.answers, typed, result, reader.language)
+    context: dict[str, Any] = {
+        "dealt": dealt,
+        "shown": shown,
+        "lines": laid,
+        "result": result,
+        "fresh": fresh,
+        "right": sum(_right(line) for line in laid),
+        "open": [line for line in laid if line.verdict and not _right(line)],
+        "key": secrets.token_hex(8),
+        "solution": may_see_solution(reader.role, await bench.storage.counted(dealt.id)),
+    }
+    return page(request, reader.language, "workspace.html", context, path=f"/variants/{dealt.id}")
+
+
+def _right(line: Line) -> bool:
+    return line.verdict is not None and line.verdict.outcome == "right"

@@ -1,0 +1,63 @@
+"""Starting the server, and the commands that need its store."""
+
+from __future__ import annotations
+
+import uvicorn
+
+from server import migrate as migrations
+from server import tokens
+from server.app import create_app
+from server.database import secret_of
+from server.settings import Settings, SettingsError, check
+
+
+def serve(settings: Settings) -> None:
+    """Serve until the process is told to end. The embedded store is brought up to date first.
+
+    Raises:
+        SettingsError: The bind is not safe, or the PostgreSQL store lacks migrations.
+        MigrationError: A newer version of the program has written the store.
+    """
+    check(settings)
+    if settings.embedded:
+        migrate(settings)
+    elif not migrations.current(settings.store_url):
+        raise SettingsError("the database lacks migrations: run `grubler migrate` first")
+    print(f"Grübler listens at {settings.public_url or _address(settings)}", flush=True)
+    uvicorn.run(
+        create_app(settings), host=settings.host, port=settings.port, log_level="warning", access_log=False,
+        server_header=False, proxy_headers=False,
+    )  # fmt: skip
+
+
+def _address(settings: Settings) -> str:
+    host = f"[{settings.host}]" if ":" in settings.host else settings.host
+    return f"http://{host}:{settings.port}"
+
+
+def migrate(settings: Settings) -> None:
+    """Bring the store to the tables of this version; makes the embedded one where there is none.
+
+    Raises:
+        SettingsError: The folder cannot be made, or the address is not one of PostgreSQL.
+        MigrationError: A newer version of the program has written the store.
+    """
+    if settings.embedded:
+        try:
+            settings.data_dir.mkdir(mode=0o700, parents=True, exist_ok=True)
+        except OSError as error:
+            raise SettingsError(f"the data folder {settings.data_dir} cannot be made: {error.strerror}") from error
+    migrations.migrate(settings.store_url)
+
+
+def token(settings: Settings, role: str, *, hours: float = tokens.HOURS) -> str:
+    """Make a bearer token that this server accepts.
+
+    Raises:
+        ValueError: There is no such role.
+        SettingsError: The store cannot be made.
+        MigrationError: A newer version of the program has written the store.
+    """
+    if settings.secret is None:
+        migrate(settings)
+    return tokens.issue(role, settings.secret or secret_of(settings.store_url), hours=hours)

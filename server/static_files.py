@@ -1,0 +1,54 @@
+"""The style sheet, scripts and fonts that the asset build has left beside us; pages work without them too."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from starlette.responses import Response
+from starlette.staticfiles import StaticFiles
+from starlette.types import Receive, Scope, Send
+
+FOLDER = Path(__file__).parent / "static"
+MANIFESTS = ("manifest.json", ".vite/manifest.json")
+ENTRY = "main.ts"
+FOREVER = "public, max-age=31536000, immutable"  # a built file carries the digest of its content in its name
+AN_HOUR = "public, max-age=3600"
+
+
+@dataclass(frozen=True, slots=True)
+class Assets:
+    """Addresses of the built style sheets and of the script; none of them before the build."""
+
+    styles: tuple[str, ...] = ()
+    script: str | None = None
+
+
+def find(folder: Path = FOLDER) -> Assets:
+    """Read the build's manifest.
+
+    Args:
+        folder: The folder that is served as ``/static``.
+    """
+    for name in MANIFESTS:
+        manifest = folder / "build" / name
+        if manifest.is_file():
+            entry = json.loads(manifest.read_text("utf-8"))[ENTRY]
+            styles = tuple(f"/static/build/{style}" for style in entry.get("css", ()))
+            return Assets(styles, f"/static/build/{entry['file']}")
+    return Assets()
+
+
+class Static:
+    """Serves the folder, with the time each file may be kept."""
+
+    def __init__(self, folder: Path = FOLDER) -> None:
+        self._files = StaticFiles(directory=folder, check_dir=False)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer with one file."""
+        path = self._files.get_path(scope)
+        response: Response = await self._files.get_response(path, scope)
+        response.headers["Cache-Control"] = FOREVER if path.startswith("build") else AN_HOUR
+        await response(scope, receive, send)

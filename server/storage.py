@@ -1,0 +1,134 @@
+"""What rests on disk, and what every store of it promises; `database.py` is the store."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any, Protocol, TypeAlias
+
+Answers: TypeAlias = Mapping[str, str | list[str]]
+
+
+class StorageUnavailable(RuntimeError):
+    """Nothing was stored and nothing is promised; the same request may be tried again."""
+
+
+class KeyReused(ValueError):
+    """The idempotency key was used before with another body."""
+
+
+class UnknownVariant(KeyError):
+    """No such variant, or it has expired."""
+
+
+@dataclass(frozen=True, slots=True)
+class Owner:
+    """Whose variants these are. Practice of an anonymous owner expires; that of a named one does not."""
+
+    id: str
+    anonymous: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Dealt:
+    """A variant as stored: seed, realised givens and the exercise's version stand side by side."""
+
+    id: str
+    owner: Owner
+    exercise: str
+    version: int
+    seed: int
+    givens: Mapping[str, Any]
+    created: datetime
+    last_used: datetime
+
+
+@dataclass(frozen=True, slots=True)
+class Handed:
+    """A submission as stored; it never changes.
+
+    Attributes:
+        receipt: Number by which it is looked up.
+        variant: Number of the variant it answers.
+        owner: Who handed it in.
+        answers: The raw answers, as typed.
+        time: When the server received it.
+        key: Idempotency key, if the client sent one.
+        body: Digest of the raw request, by which a repeated key is told from a reused one.
+        digest: Digest of what was handed in, printed on the receipt.
+        language: Language of the first response.
+    """
+
+    receipt: str
+    variant: str
+    owner: str
+    answers: Answers
+    time: datetime
+    key: str | None
+    body: str
+    digest: str
+    language: str
+
+
+@dataclass(frozen=True, slots=True)
+class Marked:
+    """A submission with a grade (JSON values), whether it counted, and the version of the judges that gave it."""
+
+    handed: Handed
+    grade: Mapping[str, Any]
+    counted: bool
+    grader_version: str
+
+
+class Storage(Protocol):
+    """A store. A write that has returned is on disk; one that raised left nothing behind."""
+
+    async def keep_variant(self, variant: Dealt) -> None:
+        """Store a new variant, and its owner if new."""
+        ...
+
+    async def variant(self, number: str) -> Dealt | None:
+        """Give a variant."""
+        ...
+
+    async def touch(self, number: str, time: datetime) -> None:
+        """Note that a variant was used."""
+        ...
+
+    async def keep_submission(self, marked: Marked) -> tuple[Marked, bool]:
+        """Store a submission with its grade, once for each key.
+
+        Returns:
+            What is stored under this key, and whether it had been there before.
+
+        Raises:
+            KeyReused: The key was used with another body.
+            UnknownVariant: The variant has gone.
+            StorageUnavailable: Nothing was stored.
+        """
+        ...
+
+    async def submission(self, receipt: str) -> Marked | None:
+        """Give a submission with its newest grade."""
+        ...
+
+    async def latest(self, variant: str) -> Marked | None:
+        """Give the last submission to a variant."""
+        ...
+
+    async def counted(self, variant: str) -> bool:
+        """Tell whether some submission to a variant counted."""
+        ...
+
+    async def purge(self, before: datetime) -> int:
+        """Forget anonymous variants that were last used before a moment; gives how many."""
+        ...
+
+    async def check(self) -> None:
+        """Raise StorageUnavailable unless the store answers."""
+        ...
+
+    def close(self) -> None:
+        """Finish what is under way and let go of the files."""
+        ...

@@ -1,0 +1,282 @@
+"""Variants: dealing one, looking at it, asking what was understood, and the worked solution."""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping
+from datetime import UTC, datetime, timedelta
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends, Response
+from pydantic import BaseModel, ConfigDict, Field, StrictInt
+
+from exercises import grading, presenting
+from exercises import variants as dealing
+from exercises.catalogue import UnknownExercise
+from exercises.exercise import Variant
+from graders import Echo, Verdict
+from graders.verdict import Reading
+from graders.words import message
+from server import ids
+from server.bench import Bench, Tools
+from server.errors import Failure, Refused, unknown_variant
+from server.exercises import known
+from server.policy import may_see_solution, may_see_variant
+from server.reader import Asking, Reader, admit, remember, welcome
+from server.storage import Dealt
+from server.typed import Typed
+
+USED = timedelta(days=1)  # how exactly the last use is noted; a variant expires after 30 idle days
+SEED_RANGE = dealing.MAX_SEED
+
+router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["variants"])
+GONE: dict[int | str, dict[str, Any]] = {404: {"model": Failure}, 410: {"model": Failure}}
+
+
+class NewVariant(BaseModel):
+    """What may be wished for: a seed, so that two people get the same numbers."""
+
+    model_config = ConfigDict(extra="forbid", json_schema_extra={"examples": [{"seed": 7}]})
+    seed: Annotated[StrictInt, Field(ge=0, le=SEED_RANGE)] | None = None
+
+
+class Line(BaseModel):
+    """A number of the statement: its symbol (MathML) and its printed value."""
+
+    symbol: str
+    value: str
+
+
+class Option(BaseModel):
+    """One of the answers to choose from."""
+
+    key: str
+    html: str
+
+
+class AskedFor(BaseModel):
+    """An answer to give: how it is typed, in which unit, with which symbols, how exactly."""
+
+    kind: str
+    prompt: str
+    prompt_html: str
+    symbol: str
+    unit: str
+    symbols: list[str]
+    tolerance: str
+    rtol: float | None
+    atol: float | None
+    rows: int
+    columns: int
+    options: list[Option]
+
+
+class Table(BaseModel):
+    """A figure as a table."""
+
+    header: list[str]
+    rows: list[list[str]]
+
+
+class ShownVariant(BaseModel):
+    """A variant as its owner sees it. Nothing in it depends on a reference value."""
+
+    id: str
+    exercise: str
+    version: int
+    seed: int
+    title: str
+    statement: str
+    statement_text: str
+    figure: str | None
+    figure_table: Table | None
+    givens: dict[str, Any]
+    data: list[Line]
+    answers: dict[str, AskedFor]
+
+
+class Question(BaseModel):
+    """One typed line."""
+
+    model_config = ConfigDict(extra="forbid", json_schema_extra={"examples": [{"answer": "l3", "text": "1,25 m"}]})
+    answer: Typed
+    text: Typed
+
+
+class Understood(BaseModel):
+    """What was read, or why nothing could be; the same for every seed.
+
+    `ok` tells which; positions are 0-based code points of the text as typed.
+    """
+
+    ok: bool
+    mathml: str = ""
+    text: str = ""
+    unit: str | None = None
+    note: str | None = None
+    code: str | None = None
+    message: str | None = None
+    position: int | None = None
+
+
+class SolutionLine(BaseModel):
+    """One line of the worked solution."""
+
+    heading: str
+    formula: str
+    formula_text: str
+    value: str
+
+
+class Solution(BaseModel):
+    """The worked solution with the numbers of the variant."""
+
+    lines: list[SolutionLine]
+
+
+@router.post(
+    "/exercises/{exercise}/variants",
+    status_code=201,
+    responses={404: {"model": Failure}, 422: {"model": Failure}, 503: {"model": Failure}},
+)
+async def deal_variant(
+    exercise: str, bench: Tools, reader: Asking, response: Response, wish: NewVariant | None = None
+) -> ShownVariant:
+    """Deal a variant for practice. It belongs to the bearer, or to the cookie that comes with it."""
+    dealt, cookie = await dealt_to(bench, reader, exercise, wish.seed if wish else None)
+    remember(response, bench, cookie)
+    response.headers["Location"] = f"{router.prefix}/variants/{dealt.id}"
+    return await shown(bench, dealt, reader.language)
+
+
+@router.get("/variants/{variant}", responses=GONE)
+async def show_variant(variant: str, bench: Tools, reader: Asking) -> ShownVariant:
+    """Show a variant to its owner or to a lecturer."""
+    return await shown(bench, await visible(bench, reader, variant), reader.language)
+
+
+@router.post("/variants/{variant}/preview", responses=GONE | {422: {"model": Failure}})
+async def preview(variant: str, question: Question, bench: Tools, reader: Asking) -> Understood:
+    """Say what is understood of one typed line. Costs nothing and tells nothing about the answer."""
+    dealt = await visible(bench, reader, variant)
+    return await understood(bench, restored(dealt), question.answer, question.text, reader.language)
+
+
+@router.get("/variants/{variant}/solution", responses=GONE | {403: {"model": Failure}})
+async def show_solution(variant: str, bench: Tools, reader: Asking) -> Solution:
+    """Show the worked solution, once some submission to the variant has counted."""
+    lines = await solved(bench, reader, await visible(bench, reader, variant))
+    shown_lines = [
+        SolutionLine(
+            heading=line.heading_html, formula=line.formula_mathml, formula_text=line.formula_text, value=line.value
+        )
+        for line in lines
+    ]
+    return Solution(lines=shown_lines)
+
+
+async def dealt_to(bench: Bench, reader: Reader, exercise: str, seed: int | None) -> tuple[Dealt, str | None]:
+    """Deal a variant and store it; gives it and the cookie of a new owner."""
+    owner, cookie = welcome(reader, bench)
+    drawn = secrets.randbelow(SEED_RANGE + 1) if seed is None else seed
+    variant = await bench.judging.run(dealing.deal, known(exercise), drawn)
+    givens, now = dealing.dump(variant)["givens"], datetime.now(UTC)
+    assert isinstance(givens, Mapping)
+    dealt = Dealt(ids.new(), owner, exercise, variant.version, drawn, givens, now, now)
+    await bench.storage.keep_variant(dealt)
+    return dealt, cookie
+
+
+async def visible(bench: Bench, reader: Reader, number: str) -> Dealt:
+    """Give a variant that this reader may see.
+
+    Raises:
+        Refused: 404, there is none, it has expired, or it is somebody else's.
+    """
+    dealt = await bench.storage.variant(number) if ids.known(number) else None
+    if dealt is None or not may_see_variant(reader.role, reader.owner_id, dealt):
+        raise unknown_variant()
+    now = datetime.now(UTC)
+    if now - dealt.last_used > USED:
+        await bench.storage.touch(number, now)
+    return dealt
+
+
+def restored(dealt: Dealt) -> Variant:
+    """Build the variant from what is stored.
+
+    Raises:
+        Refused: 410, the exercise was changed since so much that these givens no longer fit.
+    """
+    stored = {"exercise": dealt.exercise, "version": dealt.version, "seed": dealt.seed, "givens": dealt.givens}
+    try:
+        return dealing.restore(stored)
+    except (UnknownExercise, ValueError, TypeError):
+        raise Refused(410, "outdated_variant") from None
+
+
+async def shown(bench: Bench, dealt: Dealt, language: str) -> ShownVariant:
+    """Show a stored variant in a language."""
+    seen = await bench.judging.run(presenting.presented, restored(dealt), language)
+    picture = seen.picture
+    return ShownVariant(
+        id=dealt.id,
+        exercise=dealt.exercise,
+        version=dealt.version,
+        seed=dealt.seed,
+        title=seen.title,
+        statement=seen.statement_html,
+        statement_text=seen.statement_text,
+        figure=picture.svg if picture else None,
+        figure_table=Table(header=list(picture.table.header), rows=list(map(list, picture.table.rows)))
+        if picture
+        else None,
+        givens=dict(dealt.givens),
+        data=[Line(symbol=symbol, value=value) for symbol, value in seen.givens],
+        answers={name: asked_for(field) for name, field in seen.answers.items()},
+    )
+
+
+def asked_for(field: presenting.Field) -> AskedFor:
+    """Describe an answer to give."""
+    return AskedFor(
+        kind=field.kind,
+        prompt=field.prompt_text,
+        prompt_html=field.prompt_html,
+        symbol=field.symbol_mathml,
+        unit=field.unit,
+        symbols=list(field.symbols),
+        tolerance=field.tolerance_text,
+        rtol=field.rtol,
+        atol=field.atol,
+        rows=field.rows,
+        columns=field.columns,
+        options=[Option(key=key, html=html) for key, html in field.options],
+    )
+
+
+async def understood(bench: Bench, variant: Variant, answer: str, text: str, language: str) -> Understood:
+    """Say what is understood of one typed line.
+
+    Raises:
+        Refused: 422, no such answer is asked for.
+    """
+    try:
+        read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text)
+    except grading.UnknownAnswer:
+        raise Refused(422, "unknown_answer", field="answer", name=answer[:40]) from None
+    if isinstance(read, Verdict):
+        position = read.details.position if isinstance(read.details, Reading) else None
+        return Understood(ok=False, code=read.code, message=message(read, language), position=position)
+    return Understood(ok=True, mathml=read.mathml, text=read.text, unit=read.unit)
+
+
+async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting.SolvedLine, ...]:
+    """Give the worked solution.
+
+    Raises:
+        Refused: 403, not open yet.
+    """
+    if not may_see_solution(reader.role, await bench.storage.counted(dealt.id)):
+        raise Refused(403, "solution_closed")
+    return await bench.judging.run(presenting.solution, restored(dealt), reader.language)

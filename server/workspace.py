@@ -1,0 +1,144 @@
+"""What the workspace page shows of each answer: the field, what was typed, how it was read, the verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from exercises.exercise import Variant
+from exercises.presenting import Field
+from graders.language.mathml import symbol_mathml
+from server import forms
+from server.bench import Bench
+from server.submissions import Graded, Judged
+from server.variants import Understood, understood
+
+SHORT = ("quantity", "integer")
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """A key of the symbol row: what it types, how far it steps back, what stands on it."""
+
+    insert: str
+    label: str
+    back: int = 0
+    name: str = ""  # key of its spoken name in the words of the page
+
+
+SIGNS = (
+    Key("sin()", "sin", 1), Key("cos()", "cos", 1), Key("*", "·", name="times"), Key("/", "/", name="divided"),
+    Key("^", "<i>x</i><sup><i>n</i></sup>", name="power"), Key("sqrt()", "√", 1, "root"), Key("(", "(", name="open"),
+    Key(")", ")", name="close"),
+)  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One entry of a matrix grid."""
+
+    name: str
+    value: str
+    wrong: bool
+    row: int
+    column: int
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of the solution as the page shows it."""
+
+    number: int
+    field: Field
+    typed: str
+    twin: str
+    cells: tuple[tuple[Cell, ...], ...]
+    keys: tuple[Key, ...]
+    echo: Understood | None
+    verdict: Judged | None
+
+    @property
+    def id(self) -> str:
+        """The id from which the ids of the field and its messages are made."""
+        return f"a{self.number}"
+
+    @property
+    def short(self) -> bool:
+        """Whether the field is short."""
+        return self.field.kind in SHORT
+
+    @property
+    def described_by(self) -> str:
+        """The ids of what describes the field."""
+        parts = ["h"] if self.field.tolerance_text or self.field.unit_text else []
+        parts += ["v"] if self.verdict else []
+        return " ".join(f"{self.id}-{part}" for part in [*parts, "r"])
+
+    @property
+    def unreadable(self) -> bool:
+        """Whether what was typed could not be read (an empty field is not an error)."""
+        judged = self.verdict is not None and self.verdict.code == "unreadable"
+        return judged or (self.echo is not None and not self.echo.ok and self.echo.code != "empty")
+
+    @property
+    def headline(self) -> tuple[str, str]:
+        """The first sentence of the verdict, and the rest."""
+        assert self.verdict is not None
+        first, end, rest = self.verdict.message.partition(". ")
+        return first + end.strip(), rest
+
+
+async def lines(
+    bench: Bench,
+    variant: Variant,
+    fields: Mapping[str, Field],
+    typed: Mapping[str, str],
+    graded: Graded | None,
+    lang: str,
+) -> list[Line]:
+    """Lay out the answers of a variant.
+
+    Args:
+        bench: The server's tools.
+        variant: The variant answered.
+        fields: The answers asked for, in order.
+        typed: What was typed so far.
+        graded: The submission shown, if one is.
+        lang: The reader's language.
+    """
+    laid = []
+    for number, (name, field) in enumerate(fields.items(), 1):
+        text = typed.get(name, "")
+        echo = await understood(bench, variant, name, text, lang) if text.strip() else None
+        laid.append(_line(number, field, text, echo, graded.verdicts.get(name) if graded else None))
+    return laid
+
+
+def _line(number: int, field: Field, text: str, echo: Understood | None, verdict: Judged | None) -> Line:
+    matrix = field.kind == "matrix"
+    apart = forms.split(text, field.rows, field.columns) if matrix and text else None
+    return Line(
+        number=number,
+        field=field,
+        typed="" if matrix else text,
+        twin=text if matrix and apart is None else "",
+        cells=_cells(field, apart, verdict) if matrix else (),
+        keys=_keys(field) if field.kind == "expression" else (),
+        echo=echo,
+        verdict=verdict,
+    )
+
+
+def _cells(field: Field, values: list[list[str]] | None, verdict: Judged | None) -> tuple[tuple[Cell, ...], ...]:
+    wrong = set(verdict.entries) if verdict else set()
+    return tuple(
+        tuple(
+            Cell(name, values[row - 1][column - 1] if values else "", (row, column) in wrong, row, column)
+            for column, name in enumerate(names, 1)
+        )
+        for row, names in enumerate(forms.cell_names(field), 1)
+    )
+
+
+def _keys(field: Field) -> tuple[Key, ...]:
+    return (*(Key(name, symbol_mathml(name)) for name in field.symbols), *SIGNS)
