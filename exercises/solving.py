@@ -15,7 +15,8 @@ from exercises.givens import Domain, domains, numbers, words_of
 from graders import Expression, Formula, Grader, Reference, States, Symbols, Value
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, line_runner, run
-from graders.language.program import Table
+from graders.language.program import Runner, Table
+from graders.language.tree import names as names_in
 
 POINTS = 16
 TRIES = 400
@@ -31,10 +32,14 @@ def evaluate(line: Line | Tree, values: Mapping[str, Value]) -> Value:
     """
     if callable(line):
         return _checked(line(**{name: values[name] for name in _parameters(line)}))
-    tree = parse_line(line) if isinstance(line, str) else line
-    runner = line_runner(tree)
+    runner = _runner(line) if isinstance(line, str) else line_runner(line)
     (value,) = run(runner, [_inward(values[name]) for name in runner.inputs])
     return _checked(value.rows if isinstance(value, Table) else value)
+
+
+@lru_cache(maxsize=8192)
+def _runner(line: str) -> Runner:
+    return line_runner(parse_line(line))
 
 
 @lru_cache(maxsize=1024)
@@ -139,7 +144,7 @@ class Solved:
             if name == step:
                 break
             tree = parse_line(line) if isinstance(line, str) else None
-            if tree is not None and set(line_runner(tree).inputs) <= known and not isinstance(self.values[name], tuple):
+            if tree is not None and names_in(tree) <= known and not isinstance(self.values[name], tuple):
                 known.add(name)
                 found.append((name, tree))
         return tuple(found)
@@ -153,15 +158,16 @@ class Solved:
         return self._states[step]
 
     def _drawn(self, step: str, tree: Tree) -> States:
-        from graders.equality import defined_at
+        from graders.equality import domain_test
 
         ranges, lines = domains(self.variant.givens), self._lines(step)
         rng = Draw(self.secret.hex(), self.variant.exercise, self.variant.seed, step)
         points: list[tuple[float, ...]] = []
         names = tuple(ranges)
+        defined = domain_test(tree, names, lines)
         for turn in range(TRIES):
             point = tuple(_inside(rng, domain, turn) for domain in ranges.values())
-            if defined_at(tree, names, lines, point):
+            if defined(point):
                 points.append(point)
             if len(points) == POINTS:
                 return States(names, tuple(points), lines)

@@ -7,9 +7,9 @@ relative to the larger side, at several points; anything else is undecided.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
 from typing import Any
 
 from flint import arb
@@ -123,19 +123,17 @@ def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
     return Finding.UNDECIDED
 
 
-def defined_at(
-    tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...], point: tuple[float, ...]
-) -> bool:
-    """Tell in doubles whether a formula and the lines it stands on have a value at a point."""
-    try:
-        values = run(_everything(tree, names, lines), list(point))
-    except UndefinedError:
-        return False
-    return all(math.isfinite(value) for value in values)
-
-
-@lru_cache(maxsize=1024)
-def _everything(tree: Tree, names: tuple[str, ...], lines: tuple[tuple[str, Tree], ...]) -> Runner:
+def domain_test(tree: Tree, names: tuple[str, ...], lines: Lines) -> Callable[[tuple[float, ...]], bool]:
+    """Make a test that tells in doubles whether a formula and the lines it stands on have a value at a point."""
     builder = Builder(names)
     slots = [builder.define(name, line) for name, line in lines]
-    return Runner(builder.program(builder.add(tree), *slots), DOUBLES)
+    runner = Runner(builder.program(builder.add(tree), *slots), DOUBLES)
+
+    def defined(point: tuple[float, ...]) -> bool:
+        try:
+            values = run(runner, list(point))
+        except UndefinedError:
+            return False
+        return all(map(math.isfinite, values))
+
+    return defined

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import inf, pi, remainder
 from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
@@ -16,10 +16,11 @@ from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Angle, Grid, Relation, Tree, Unary, names, walk
-from graders.units import read_unit
+from graders.units import Unit, read_unit
 from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
 
 GREATEST = 1e99
+ANGLE = (0, 0, 0, 1, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,8 +39,8 @@ class Matrix:
         rows: Number of rows, shown as a grid.
         columns: Number of columns.
         rtol: Tolerance of an entry over the scale max(1, |largest entry|).
-        units: The unit of each column, in which its bare numbers are read; empty for SI units. An entry with a degree
-            sign is an angle whatever the unit.
+        units: The unit of each column, in which its bare numbers are read; empty for SI units. In a column of angles
+            a degree sign speaks for itself, and whole turns do not count.
         step: The step asked for; empty for the step named like the answer.
         weight: Share in the score.
     """
@@ -61,11 +62,21 @@ class Matrix:
             raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
         return Typed(tree, tuple(tuple(self._value(at, e, text) for at, e in enumerate(row)) for row in tree.rows))
 
-    def _value(self, column: int, entry: Tree, text: str) -> float:
-        return _number(entry, text) * (1.0 if any(map(_arc, walk(entry))) else self._factor(column))
+    def _unit(self, column: int) -> Unit:
+        return read_unit(self.units[column] if column < len(self.units) else "1")
 
-    def _factor(self, column: int) -> float:
-        return read_unit(self.units[column]).factor if column < len(self.units) else 1.0
+    def _value(self, column: int, entry: Tree, text: str) -> float:
+        unit = self._unit(column)
+        own = unit.dimension == ANGLE and any(map(_arc, walk(entry)))
+        return _number(entry, text) * (1.0 if own else unit.factor)
+
+    def _differences(self, one: Rows, other: Rows) -> Rows:
+        """Give |a - b| of all entries; ValueError when the shapes differ."""
+        angles = [self._unit(column).dimension == ANGLE for column in range(len(one[0]))]
+        return tuple(
+            tuple(abs(remainder(a - b, 2 * pi) if turns else a - b) for a, b, turns in zip(x, y, angles, strict=True))
+            for x, y in zip(one, other, strict=True)
+        )
 
     def check(self, answer: Typed, reference: Rows) -> Verdict:
         """Judge each entry; credit falls to nothing when half of the entries are wrong."""
@@ -74,9 +85,9 @@ class Matrix:
         bound = self.rtol * _scale(reference) * (1 + 1e-12)
         off = tuple(
             (i, j)
-            for i, (row, right) in enumerate(zip(answer.rows, reference, strict=True), 1)
-            for j, (a, b) in enumerate(zip(row, right, strict=True), 1)
-            if not abs(a - b) <= bound
+            for i, row in enumerate(self._differences(answer.rows, reference), 1)
+            for j, difference in enumerate(row, 1)
+            if not difference <= bound
         )
         if not off:
             return RIGHT
@@ -89,7 +100,7 @@ class Matrix:
         return "[" + ", ".join("[" + "; ".join(row) + "]" for row in self._written(reference)) + "]"
 
     def _written(self, rows: Rows) -> list[list[str]]:
-        return [[_decimal(e / self._factor(at)) for at, e in enumerate(row)] for row in rows]
+        return [[_decimal(e / self._unit(at).factor) for at, e in enumerate(row)] for row in rows]
 
     def samples(self, reference: Rows) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
@@ -108,10 +119,9 @@ class Matrix:
     def apart(self, one: Rows, other: Rows) -> float:
         """Give the largest difference of an entry in tolerances."""
         if (len(one), len(one[0])) != (len(other), len(other[0])):
-            return math.inf
+            return inf
         bound = self.rtol * max(_scale(one), _scale(other))
-        pairs = zip((e for row in one for e in row), (e for row in other for e in row), strict=True)
-        return max(abs(a - b) for a, b in pairs) / bound
+        return max(max(row) for row in self._differences(one, other)) / bound
 
     def describe(self) -> Mapping[str, Any]:
         """Give shape, tolerance and units of the field."""

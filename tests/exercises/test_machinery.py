@@ -218,7 +218,8 @@ def test_the_gate_sees_a_forgotten_version() -> None:
 
 
 def test_the_gate_sees_a_changed_step() -> None:
-    steps = {**catalogue.load(SLIDER).exercise.steps, "l3": "l1*cos(alpha1) + 1.000001*l2*cos(alpha2)"}
+    good = catalogue.load(SLIDER).exercise
+    steps = {**good.steps_of(variants.deal(SLIDER, 1).givens), "l3": "l1*cos(alpha1) + 1.000001*l2*cos(alpha2)"}
     assert any("raise `version`" in failure for failure in broken(steps=steps))
 
 

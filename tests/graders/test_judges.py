@@ -62,7 +62,7 @@ def test_a_judge_passes_its_own_samples(grader: Grader, reference: Any, symbols:
 
 
 def test_every_kind_stands_in_the_registry_under_its_name() -> None:
-    assert {kind: cls.kind for kind, cls in KINDS.items()} == {kind: kind for kind in KINDS}
+    assert all(str(cls.kind) == kind for kind, cls in KINDS.items())
     assert {type(grader) for grader, *_ in RIGHT} == set(KINDS.values())
 
 
