@@ -7,7 +7,7 @@ relative to the larger side, at several points; anything else is undecided.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -123,7 +123,9 @@ def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
     return Finding.UNDECIDED
 
 
-def domain_test(tree: Tree, names: tuple[str, ...], lines: Lines) -> Callable[[tuple[float, ...]], bool]:
+def domain_test(
+    tree: Tree, names: tuple[str, ...], lines: Sequence[tuple[str, Tree]]
+) -> Callable[[tuple[float, ...]], bool]:
     """Make a test that tells in doubles whether a formula and the lines it stands on have a value at a point."""
     builder = Builder(names)
     slots = [builder.define(name, line) for name, line in lines]
