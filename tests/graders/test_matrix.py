@@ -1,0 +1,47 @@
+"""A matrix whose columns have units, such as a Denavit-Hartenberg table."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from graders import Code, Matrix, Symbols
+
+NOTHING = Symbols(())
+TABLE = Matrix(2, 2, units=("deg", "mm"))
+ROWS = ((pi / 6, 0.45), (-pi / 4, 0.0))
+
+
+def judged(text: str) -> Code:
+    return TABLE.check(TABLE.parse(text, NOTHING), ROWS).code
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "[[30; 450], [-45; 0]]",
+        "[[30°; 450], [-45°; 0]]",
+        "[[390; 9*50], [315°; 0]]",
+        "[[asin(0,5)*180/pi; 450], [-45; 0]]",
+    ],
+)
+def test_a_bare_number_is_read_in_the_unit_of_its_column(typed: str) -> None:
+    assert judged(typed) is Code.RIGHT
+
+
+@pytest.mark.parametrize("typed", ["[[pi/6; 450], [-pi/4; 0]]", "[[30; 0.45], [-45; 0]]", "[[30; 450], [45; 0]]"])
+def test_a_number_in_another_unit_or_of_another_sign_is_not_right(typed: str) -> None:
+    assert judged(typed) is not Code.RIGHT
+
+
+def test_a_degree_sign_changes_nothing_in_a_column_of_lengths() -> None:
+    assert judged("[[30; 900*sin(30°)], [-45; 0]]") is Code.RIGHT
+
+
+def test_a_matrix_with_units_passes_its_own_samples_and_names_its_units() -> None:
+    samples = TABLE.samples(ROWS)
+    assert {judged(text) for text in samples.right} == {Code.RIGHT}
+    assert Code.RIGHT not in {judged(text) for text in samples.wrong}
+    assert TABLE.describe()["units"] == ["deg", "mm"]
+    assert TABLE.apart(ROWS, ((pi / 6 + 2 * pi, 0.45), (-pi / 4, 0.0))) == pytest.approx(0, abs=1e-9)
