@@ -1,0 +1,89 @@
+"""The grubler command: finds the subcommand, imports only that one, turns errors into exit codes."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+import traceback
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterable, Sequence
+from importlib import import_module
+
+from cli.problems import Unusable
+
+PASSED, BELOW, UNUSABLE, OUR_FAULT = range(4)
+INTERRUPTED = 130
+COMMANDS = {
+    "serve": "start the server",
+    "catalogue": "list the exercises",
+    "draw": "show the variant of a seed",
+    "grade": "grade files of answers",
+    "verify": "check that exercises may be published",
+    "new": "start a new exercise from a template",
+    "migrate": "bring the store to the tables of this version",
+    "token": "print a bearer token",
+}
+
+
+def parser(commands: Iterable[str] = COMMANDS) -> ArgumentParser:
+    """Make the parser of the command line.
+
+    Args:
+        commands: The subcommands whose modules are imported for their arguments; the others are only named.
+    """
+    made = ArgumentParser(prog="grubler", description="An autograded laboratory for theory of machines.")
+    subparsers = made.add_subparsers(title="commands", metavar="COMMAND", dest="command", required=True)
+    for name, summary in COMMANDS.items():
+        below = subparsers.add_parser(name, help=summary, description=f"{summary[0].upper()}{summary[1:]}.")
+        if name in commands:
+            module = import_module(f"cli.{name}")
+            module.arguments(below)
+            below.set_defaults(run=module.run)
+    return made
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command.
+
+    Args:
+        arguments: The command line without the program's name; that of the process by default.
+
+    Returns:
+        0 passed, 1 graded below the pass mark, 2 unusable input, 3 our fault.
+    """
+    _speak_utf8()
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    options = parser(given[:1]).parse_args(given)
+    try:
+        return _run(options)
+    except BrokenPipeError:  # the reader of our output has gone, as in `grubler catalogue | head -1`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return PASSED
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except Exception:
+        traceback.print_exc()
+        print("grubler: this is a fault of the program, not of your input", file=sys.stderr)
+        return OUR_FAULT
+
+
+def _run(options: Namespace) -> int:
+    try:
+        code: int = options.run(options)
+    except Unusable as problem:
+        print(f"grubler: {problem.worded(getattr(options, 'lang', 'en'))}", file=sys.stderr)
+        return UNUSABLE
+    sys.stdout.flush()
+    return code
+
+
+def _speak_utf8() -> None:
+    """Write the same bytes in every locale; what is no text (a file name) is escaped."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace", newline="\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

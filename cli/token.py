@@ -1,0 +1,34 @@
+"""`grubler token`: prints a bearer token for this server."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+
+from cli import store
+from server import run as server
+from server.policy import Role
+from server.tokens import HOURS
+
+ROLES = tuple(role.name.lower() for role in Role if role is not Role.ANONYMOUS)
+MOST_HOURS = 24 * 366
+
+
+def arguments(parser: ArgumentParser) -> None:
+    """Add the arguments of the command."""
+    store.arguments(parser)
+    parser.add_argument("--role", choices=ROLES, required=True, help="what its bearer may do")
+    parser.add_argument("--hours", type=_hours, default=HOURS, help=f"how long it is valid (default: {HOURS})")
+
+
+def run(options: Namespace) -> int:
+    """Print a token and nothing else."""
+    with store.usable():
+        print(server.token(store.settings(options), options.role, hours=options.hours))
+    return 0
+
+
+def _hours(text: str) -> float:
+    hours = float(text)
+    if not 0 < hours <= MOST_HOURS:
+        raise ValueError(text)
+    return hours
