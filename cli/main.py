@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import os
 import sys
-import traceback
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterable, Sequence
 from importlib import import_module
@@ -62,8 +61,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return PASSED
     except KeyboardInterrupt:
         return INTERRUPTED
-    except Exception:
-        traceback.print_exc()
+    except Exception as error:
+        sys.excepthook(type(error), error, error.__traceback__)
         print("grubler: this is a fault of the program, not of your input", file=sys.stderr)
         return OUR_FAULT
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import traceback
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -110,7 +110,7 @@ def _graded(file: str, item: Item, secret: bytes) -> Mark:
     except grading.UnknownAnswer as unknown:
         place = f"{item.place}.answers.{unknown}"
         raise Unusable("unknown_answer", file, place, names=", ".join(grading.failed(submission).verdicts)) from None
-    except Exception:  # our fault, whatever it is: the other answers are graded all the same
-        traceback.print_exc()
+    except Exception as error:  # our fault, whatever it is: the other answers are graded all the same
+        sys.excepthook(type(error), error, error.__traceback__)
         grade = grading.failed(submission)
     return Mark(item.exercise, item.seed, version, variant, grade)
