@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.symbols import SUPERSCRIPTS
+from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.tokens import SAME, SPACES
 
 
@@ -46,12 +46,12 @@ PREFIXED = {
     "W": _unit(1, 2, 1, -3), "Вт": _unit(1, 2, 1, -3),
     "Hz": _unit(1, 0, 0, -1, tag="cycle"), "Гц": _unit(1, 0, 0, -1, tag="cycle"),
     "rad": _unit(1, angle=1), "рад": _unit(1, angle=1),
-    "Nm": _unit(1, 2, 1, -2), "Нм": _unit(1, 2, 1, -2),
 }  # fmt: skip
 PREFIXES = {
     "": 1.0, "k": 1e3, "M": 1e6, "G": 1e9, "c": 1e-2, "m": 1e-3, "μ": 1e-6, "u": 1e-6, "n": 1e-9, "d": 1e-1, "h": 1e2,
-    "к": 1e3, "М": 1e6, "Г": 1e9, "м": 1e-3, "мк": 1e-6, "с": 1e-2, "д": 1e-1,
+    "da": 10.0, "к": 1e3, "М": 1e6, "Г": 1e9, "м": 1e-3, "мк": 1e-6, "с": 1e-2, "д": 1e-1,
 }  # fmt: skip
+RUN_TOGETHER = (("N", ("m", "cm", "mm")), ("Н", ("м", "см", "мм")))  # kNm is kN·m, and kNm² is kN·m²
 PLAIN = {
     **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов"), _unit(math.pi / 180, angle=1)),
     **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
@@ -78,7 +78,14 @@ def _table() -> dict[str, Unit]:
     return found | PLAIN
 
 
+def _compounds(table: dict[str, Unit]) -> dict[str, tuple[Unit, Unit]]:
+    forces = [(force, lengths) for base, lengths in RUN_TOGETHER for force in table if force.endswith(base)]
+    return {force + length: (table[force], table[length]) for force, lengths in forces for length in lengths}
+
+
 TABLE = _table()
+COMPOUNDS = _compounds(TABLE)
+TO_CYRILLIC = str.maketrans({latin: cyrillic for cyrillic, latin in LOOK_ALIKES.items()})
 PIECE = re.compile(
     r"(?P<name>[^\W\d_²³¹⁰ⁱ-₉]+|[°'\"%])|(?P<number>\d+)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<mark>\*\*|[-*/^().])"
 )
@@ -128,23 +135,26 @@ class _UnitReader:
             if self.piece in ("*", ".", "/"):
                 divide = self.piece == "/"
                 self.step()
-                if self.kind == "end" and not divide:  # a full stop after an abbreviation
-                    return unit
+                if not divide and (self.kind == "end" or self.piece == "/"):  # a full stop after an abbreviation
+                    continue
             unit = _times(unit, self.power(), -1 if divide else 1)
         return unit
 
     def power(self) -> Unit:
-        unit = self.atom()
+        rest, unit = self.atom()
+        return _times(rest, unit, self.raised_to())
+
+    def raised_to(self) -> int:
         if self.piece in ("^", "**") and self.kind == "mark":
             self.step()
-            return _times(NONE, unit, self.exponent())
+            return self.exponent()
         if self.kind == "raised":
             power = int("".join(SUPERSCRIPTS[c] for c in self.piece[:3]))
             self.step()
-            return _times(NONE, unit, power)
+            return power
         if self.kind == "number" and self.piece in ("2", "3", "4") and self.text[self.start - 1] != " ":
-            return _times(NONE, unit, self.exponent())
-        return unit
+            return self.exponent()
+        return 1
 
     def exponent(self) -> int:
         bracket = self.piece == "("
@@ -161,7 +171,8 @@ class _UnitReader:
             self.step()
         return power
 
-    def atom(self) -> Unit:
+    def atom(self) -> tuple[Unit, Unit]:
+        """Read a unit: what a power leaves alone, and what it raises."""
         if self.piece == "(" and self.depth < 4:
             self.depth += 1
             self.step()
@@ -170,12 +181,17 @@ class _UnitReader:
                 raise self.error()
             self.step()
             self.depth -= 1
-            return unit
-        found = TABLE.get(self.piece) if self.kind in ("name", "number") else None
-        if found is None:
+            return NONE, unit
+        found = _named(self.piece) or _named(self.piece.translate(TO_CYRILLIC))
+        if found is None or self.kind not in ("name", "number"):
             raise self.error()
         self.step()
         return found
+
+
+def _named(piece: str) -> tuple[Unit, Unit] | None:
+    unit = TABLE.get(piece)
+    return (NONE, unit) if unit else COMPOUNDS.get(piece)
 
 
 def _times(one: Unit, other: Unit, power: int) -> Unit:

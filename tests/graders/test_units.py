@@ -126,6 +126,16 @@ def test_factor_and_dimension_agree_with_pint(text: str) -> None:
         ("кВт", "kW"),
         ("N*m", "Nm"),
         ("сек", "s"),
+        ("Nmm", "N*mm"),
+        ("kNcm", "kN*cm"),
+        ("кНмм", "kN*mm"),
+        ("kNm²", "kN*m^2"),
+        ("Nmm^2", "N*mm^2"),
+        ("obr./min", "rpm"),
+        ("об./мин.", "rpm"),
+        ("м/c", "m/s"),
+        ("кH", "kN"),
+        ("MПа", "MPa"),
     ],
 )
 def test_spellings_of_one_unit_are_one_unit(typed: str, plain: str) -> None:
@@ -176,3 +186,7 @@ def test_units_fit_what_they_measure(typed: str, expected: str, same: bool) -> N
 
 def test_a_turn_a_minute_is_a_thirtieth_of_pi() -> None:
     assert read_unit("obr/min").factor == pytest.approx(math.pi / 30, rel=1e-15)
+
+
+def test_a_decanewton_is_ten_newtons() -> None:
+    assert read_unit("daN").factor == 10
