@@ -1,0 +1,283 @@
+"""Bending of a straight beam: reactions, V, M, deflection and their exact extremes, by initial parameters.
+
+Axis x from the left end, y and v positive up. V(x) = sum of the upward forces left of x; M > 0 sags;
+EI v'' = M, theta = v' (counter-clockwise). Forces and distributed loads positive up, couples positive
+counter-clockwise: a force jumps V by +F, a couple jumps M by -M0. Loads add up; at a load's own x the value is the
+one to its left, at x = 0 the one inside the beam.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import NamedTuple
+
+from mechanics.checks import finite, place
+from mechanics.members import Beam, Distributed, Force, Load, Moment, Reaction, Support
+from mechanics.roots import crossings
+from mechanics.stability import degree, require_stable
+from mechanics.sweep import State, Station, Stretch, carry, sweep
+
+__all__ = [
+    "Beam",
+    "BeamResult",
+    "Distributed",
+    "Force",
+    "Load",
+    "Moment",
+    "Piece",
+    "Reaction",
+    "Sample",
+    "Support",
+    "solve",
+]
+
+# Two extremes that differ by less than this part are a tie, and the leftmost is named.
+_TIE = 1e-11
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """The state of the beam at one place."""
+
+    x: float  # place, m
+    V: float  # shear force, N
+    M: float  # bending moment, N m
+    v: float  # deflection, up, m
+    theta: float  # slope, rad
+
+
+class Piece(NamedTuple):
+    """A stretch without a jump inside: its state at the left end and the load on it (a tuple: made in great number)."""
+
+    x1: float  # start, m
+    x2: float  # end, m
+    V: float  # shear force at the start, N
+    M: float  # bending moment at the start, N m
+    theta: float  # slope at the start, rad
+    v: float  # deflection at the start, m
+    w: float  # load at the start, up, N/m
+    k: float  # growth of the load, N/m^2
+    EI: float  # bending stiffness, N m^2
+
+    def shear(self, t: float) -> float:
+        """Return V at the distance t (m) from the start."""
+        return self.V + t * (self.w + t * self.k / 2)
+
+    def moment(self, t: float) -> float:
+        """Return M at the distance t (m) from the start."""
+        return self.M + t * (self.V + t * (self.w / 2 + t * self.k / 6))
+
+    def slope(self, t: float) -> float:
+        """Return theta at the distance t (m) from the start."""
+        return self.theta + t * (self.M + t * (self.V / 2 + t * (self.w / 6 + t * self.k / 24))) / self.EI
+
+    def deflection(self, t: float) -> float:
+        """Return v at the distance t (m) from the start."""
+        bent = self.M / 2 + t * (self.V / 6 + t * (self.w / 24 + t * self.k / 120))
+        return self.v + t * (self.theta + t * bent / self.EI)
+
+
+@dataclass(frozen=True, slots=True)
+class BeamResult:
+    """The solved beam; stresses are None where no section is given."""
+
+    reactions: tuple[Reaction, ...]  # by rising x
+    pieces: tuple[Piece, ...]
+    degree: int  # degree of static indeterminacy
+    M_max: float  # N m
+    M_min: float  # N m
+    M_abs_max: float  # N m
+    x_M_abs_max: float  # m
+    V_abs_max: float  # N
+    v_extreme: float  # signed deflection of the largest magnitude, m
+    x_v_extreme: float  # m
+    I: float  # second moment of area, m^4
+    W: float | None  # section modulus, m^3
+    sigma_max: float | None  # largest bending stress, Pa
+    tau_max: float | None  # largest shear stress at the neutral axis, Pa
+
+    def at(self, x: float) -> Sample:
+        """Sample the beam at x (m): where the state jumps, the value to the left; at x = 0 the one inside the beam.
+
+        Raises:
+            ValueError: x is not on the beam.
+        """
+        place("sample", x, self.pieces[-1].x2)
+        piece = self.pieces[bisect_left(self.pieces, x, key=lambda piece: piece.x2)]
+        t = x - piece.x1
+        return Sample(x, piece.shear(t), piece.moment(t), piece.deflection(t), piece.slope(t))
+
+
+def solve(beam: Beam) -> BeamResult:
+    """Solve a beam on any supports, with hinges and overhangs, of any degree of static indeterminacy.
+
+    Returns:
+        Reactions, the pieces of V, M, theta and v, and the extremes, exact: at the ends of the pieces and where the
+        derivative changes sign inside one.
+
+    Raises:
+        UnstableError: The supports do not hold the beam; the part that moves is named.
+        ValueError: The answer is beyond the range of floating-point numbers.
+
+    Source:
+        Method of initial parameters (domain SM-11, SM-13, SM-14, SM-17); EI v'' = M, dM/dx = V, dV/dx = w.
+    """
+    require_stable(beam)
+    stations = _stations(beam)
+    stretches = _stretches(beam, stations)
+    states = sweep(stations, stretches)
+    pieces = _pieces(beam, stations, stretches, states)
+    return _result(beam, _reactions(beam, stations, stretches, states), pieces)
+
+
+def _stations(beam: Beam) -> list[Station]:
+    """Where something jumps, by rising place; lengths in parts of L, everything else in newtons."""
+    found: dict[float, Station] = {}
+
+    def at(x: float) -> Station:
+        if x not in found:
+            found[x] = Station(x)
+        return found[x]
+
+    at(0.0), at(beam.L)
+    for load in beam.loads:
+        if isinstance(load, Force):
+            at(load.x).force += load.F
+        elif isinstance(load, Moment):
+            at(load.x).couple += load.M / beam.L
+        else:
+            at(load.x1), at(load.x2)
+    stiffness = beam.E * beam.second_moment / beam.L / beam.L / beam.L
+    for support in beam.supports:
+        at(support.x).hold(support.type == "fixed", support.settlement * stiffness)
+    for x in beam.hinges:
+        at(x).hinge = True
+    return [found[x] for x in sorted(found)]
+
+
+def _stretches(beam: Beam, stations: list[Station]) -> list[Stretch]:
+    spread = [load for load in beam.loads if isinstance(load, Distributed)]
+    found: list[Stretch] = []
+    for left, right in pairwise(stations):
+        w = k = 0.0
+        for load in spread:
+            if load.x1 <= left.x and right.x <= load.x2:
+                growth = (load.w2 - load.w1) / (load.x2 - load.x1)
+                w += load.w1 + growth * (left.x - load.x1)
+                k += growth
+        found.append(((right.x - left.x) / beam.L, w * beam.L, k * beam.L * beam.L))
+    return found
+
+
+def _pieces(beam: Beam, stations: list[Station], stretches: list[Stretch], states: list[State]) -> tuple[Piece, ...]:
+    L, EI = beam.L, beam.E * beam.second_moment
+    turn = L * L / EI
+    return tuple(
+        Piece(left.x, right.x, V, M * L, theta * turn, v * turn * L, w / L, k / L / L, EI)
+        for (left, right), (_, w, k), (v, theta, M, V) in zip(pairwise(stations), stretches, states, strict=True)
+    )
+
+
+def _reactions(
+    beam: Beam, stations: list[Station], stretches: list[Stretch], states: list[State]
+) -> tuple[Reaction, ...]:
+    """What is missing to the jumps of V and M at a support."""
+    before: State = (0.0, 0.0, 0.0, 0.0)
+    beyond: State = (0.0, 0.0, 0.0, 0.0)
+    found = []
+    for index, station in enumerate(stations):
+        after = states[index] if index < len(states) else beyond
+        if station.held:
+            moment = before[2] - after[2] - station.couple if station.fixed else 0.0
+            found.append(Reaction(station.x, after[3] - before[3] - station.force, moment * beam.L))
+        if index < len(stretches):
+            before = carry(after, *stretches[index])
+    return tuple(found)
+
+
+def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: tuple[Piece, ...]) -> BeamResult:
+    found = _Extremes()
+    for piece in pieces:
+        _collect(piece, found)
+    last = pieces[-1]
+    found.x_v.append(beam.L)
+    found.v.append(last.deflection(last.x2 - last.x1))
+    x_M, M_far = _farthest(found.x_M, found.M)
+    x_v, v_far = _farthest(found.x_v, found.v)
+    V_far = max(max(found.V), -min(found.V))
+    finite("the sum of the answers", M_far + V_far + v_far + sum([r.Fy for r in reactions]), "")
+    W, sigma, tau = _stresses(beam, abs(M_far), V_far)
+    return BeamResult(
+        reactions=reactions,
+        pieces=pieces,
+        degree=degree(beam),
+        M_max=max(found.M),
+        M_min=min(found.M),
+        M_abs_max=abs(M_far),
+        x_M_abs_max=x_M,
+        V_abs_max=V_far,
+        v_extreme=v_far,
+        x_v_extreme=x_v,
+        I=beam.second_moment,
+        W=W,
+        sigma_max=sigma,
+        tau_max=tau,
+    )
+
+
+def _stresses(beam: Beam, M: float, V: float) -> tuple[float | None, float | None, float | None]:
+    """sigma = M/W; tau = V Q/(I t) at the neutral axis (domain SM-12; Zhuravskii)."""
+    section = beam.section
+    if section is None:
+        return None, None, None
+    W = section.section_modulus
+    return W, M / W, V * section.first_moment / (beam.second_moment * section.neutral_width)
+
+
+@dataclass(slots=True)
+class _Extremes:
+    """Places and values that may be extreme, by rising place."""
+
+    V: list[float] = field(default_factory=list)
+    x_M: list[float] = field(default_factory=list)
+    M: list[float] = field(default_factory=list)
+    x_v: list[float] = field(default_factory=list)
+    v: list[float] = field(default_factory=list)
+
+
+def _collect(piece: Piece, found: _Extremes) -> None:
+    """Take V and M at both ends, v at the start, and each where its derivative changes sign inside.
+
+    V is monotone between the sign changes of w, M between those of V, theta between those of M.
+    """
+    x1, x2, V, M, theta, v, w, k, EI = piece
+    h = x2 - x1
+    peaks = crossings((w, k, 0.0, 0.0, 0.0), h) if k else ()
+    zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if w or k else ()
+    inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros)
+    turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
+    found.V += (V, piece.shear(h))
+    found.x_M += (x1, x2)
+    found.M += (M, piece.moment(h))
+    found.x_v.append(x1)
+    found.v.append(v)
+    if peaks:
+        found.V += [piece.shear(t) for t in peaks]
+    if zeros:
+        found.x_M[-1:-1] = [x1 + t for t in zeros]
+        found.M[-1:-1] = [piece.moment(t) for t in zeros]
+    if turns:
+        found.x_v += [x1 + t for t in turns]
+        found.v += [piece.deflection(t) for t in turns]
+
+
+def _farthest(places: Sequence[float], values: Sequence[float]) -> tuple[float, float]:
+    """The place of the largest magnitude and the signed value there; the leftmost on a tie."""
+    bar = max(max(values), -min(values)) * (1 - _TIE)
+    for x, value in zip(places, values, strict=True):
+        if value >= bar or value <= -bar:
+            return x, value
+    return places[0], values[0]

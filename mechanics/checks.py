@@ -1,0 +1,37 @@
+"""Refusals of impossible numbers, worded with the value and its unit."""
+
+from __future__ import annotations
+
+import sys
+
+_LARGEST = sys.float_info.max
+
+
+def finite(name: str, value: float, unit: str) -> None:
+    """Refuse a number that is not finite.
+
+    Raises:
+        ValueError: The value is NaN, infinite or beyond the range of floats.
+    """
+    if not abs(value) <= _LARGEST:
+        raise ValueError(f"{name} = {value} {unit}".rstrip() + " must be finite")
+
+
+def positive(name: str, value: float, unit: str) -> None:
+    """Refuse a number that is not positive and finite.
+
+    Raises:
+        ValueError: The value is zero, negative, NaN, infinite or beyond the range of floats.
+    """
+    if not 0 < value <= _LARGEST:
+        raise ValueError(f"{name} = {value} {unit}".rstrip() + " must be positive and finite")
+
+
+def place(name: str, x: float, length: float) -> None:
+    """Refuse a place outside a member that runs from 0 to its length, in metres.
+
+    Raises:
+        ValueError: The place is not finite or not in 0 .. length.
+    """
+    if not 0 <= x <= length:
+        raise ValueError(f"{name} at x = {x} m must lie on the member, 0 .. {length} m")

@@ -1,0 +1,155 @@
+"""Initial parameters carried along a beam: the state on the left of each stretch from the conditions on the whole.
+
+The state (v EI/L^3, theta EI/L^2, M/L, V) is in newtons and lengths are in parts of L. On the way it is
+base + p1 c1 + p2 c2 with two unknown parameters: the left end leaves v and theta free, every later condition settles
+one parameter and frees the quantity that jumps there instead. The parameter that stays is rewritten as a quantity of
+the state at that place. So no more than two unknowns live at once, and they never grow along many spans.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from mechanics.errors import SingularError
+
+State = tuple[float, float, float, float]
+# Between two stations: length h over L, load w at the left end times L and its growth k times L^2, both in newtons.
+Stretch = tuple[float, float, float]
+
+DEFLECTION, SLOPE, MOMENT, SHEAR = range(4)
+_LOST = "the beam is too close to being unstable: a condition at a support, a hinge or the end is lost"
+# How the parameters before a condition follow from those after it: which one was settled (the second, if true),
+# settled = constant + factor * kept, kept before = (kept after - shift)/scale.
+_Settled = tuple[bool, float, float, float, float]
+
+_UNITS: tuple[State, ...] = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+
+@dataclass(slots=True)
+class Station:
+    """A place where the state may jump: loads, then the support, then the hinge."""
+
+    x: float  # place, m
+    force: float = 0.0  # up, N
+    couple: float = 0.0  # counter-clockwise, over L, N
+    held: bool = False  # v is given
+    fixed: bool = False  # the slope is zero
+    settlement: float = 0.0  # given v, in the scale of the state, N
+    hinge: bool = False  # M is zero
+
+    def hold(self, fixed: bool, settlement: float) -> None:
+        """Put a support here."""
+        self.held, self.fixed, self.settlement = True, fixed, settlement
+
+
+def carry(state: State, h: float, w: float = 0.0, k: float = 0.0) -> State:
+    """Integrate v' = theta, theta' = M, M' = V, V' = w + k t over a stretch h, exactly."""
+    v, theta, M, V = state
+    return (
+        v + h * (theta + h * (M / 2 + h * (V / 6 + h * (w / 24 + h * k / 120)))),
+        theta + h * (M + h * (V / 2 + h * (w / 6 + h * k / 24))),
+        M + h * (V + h * (w / 2 + h * k / 6)),
+        V + h * (w + h * k / 2),
+    )
+
+
+def sweep(stations: list[Station], stretches: list[Stretch]) -> list[State]:
+    """Find the state at the left end of every stretch.
+
+    Raises:
+        SingularError: A condition cannot settle any parameter.
+    """
+    line = _Line()
+    for index, station in enumerate(stations):
+        _jump(line, station)
+        if index < len(stretches):
+            line.advance(*stretches[index])
+    return line.trace_back()
+
+
+def _jump(line: _Line, station: Station) -> None:
+    if station.force or station.couple:
+        v, theta, M, V = line.base
+        line.base = (v, theta, M - station.couple, V + station.force)
+    if station.held:
+        line.impose(DEFLECTION, station.settlement, SHEAR)
+    if station.fixed:
+        line.impose(SLOPE, 0.0, MOMENT)
+    if station.hinge:
+        line.impose(MOMENT, 0.0, SLOPE)
+
+
+@dataclass(slots=True)
+class _Line:
+    """The sweep under way; it notes what it passes, so that it can be traced back."""
+
+    base: State = (0.0, 0.0, 0.0, 0.0)
+    first: State = _UNITS[DEFLECTION]
+    second: State = _UNITS[SLOPE]
+    settled: list[_Settled] = field(default_factory=list)
+    starts: list[tuple[int, State, State, State]] = field(default_factory=list)
+
+    def advance(self, h: float, w: float, k: float) -> None:
+        self.starts.append((len(self.settled), self.base, self.first, self.second))
+        self.base = carry(self.base, h, w, k)
+        self.first, self.second = carry(self.first, h), carry(self.second, h)
+
+    def impose(self, quantity: int, value: float, released: int) -> None:
+        """Settle one parameter by state[quantity] = value; state[released] becomes a parameter in its place."""
+        swapped = abs(self.first[quantity]) < abs(self.second[quantity])
+        pivot, kept = (self.second, self.first) if swapped else (self.first, self.second)
+        divisor = pivot[quantity]
+        if not divisor:
+            raise SingularError(_LOST)
+        constant = (value - self.base[quantity]) / divisor
+        factor = -kept[quantity] / divisor
+        base, column = _added(self.base, constant, pivot), _added(kept, factor, pivot)
+        base[quantity], column[quantity] = value, 0.0
+        base[released] = column[released] = 0.0
+        scale = max(column, key=abs)
+        if not scale:
+            raise SingularError(_LOST)
+        shift = base[column.index(scale)]
+        a, b, c, d = column
+        kept = (a / scale, b / scale, c / scale, d / scale)
+        a, b, c, d = _added((base[0], base[1], base[2], base[3]), -shift, kept)
+        self.base = (a, b, c, d)
+        self.settled.append((swapped, constant, factor, shift, scale))
+        self.first, self.second = (kept, _UNITS[released]) if swapped else (_UNITS[released], kept)
+
+    def free_end(self) -> tuple[float, float]:
+        """Solve V = 0 and M = 0 beyond the right end for the two parameters."""
+        (_, _, M, V), (_, _, M1, V1), (_, _, M2, V2) = self.base, self.first, self.second
+        determinant = M1 * V2 - M2 * V1
+        if not determinant:
+            raise SingularError(_LOST)
+        return (M2 * V - M * V2) / determinant, (M * V1 - M1 * V) / determinant
+
+    def trace_back(self) -> list[State]:
+        """Go back to the left end with the parameters known."""
+        first, second = self.free_end()
+        found: list[State] = []
+        for count, base, one, two in reversed(self.starts):
+            while len(self.settled) > count:
+                swapped, constant, factor, shift, scale = self.settled.pop()
+                kept = ((first if swapped else second) - shift) / scale
+                gone = constant + factor * kept
+                first, second = (kept, gone) if swapped else (gone, kept)
+            found.append(_at(base, one, two, first, second))
+        found.reverse()
+        return found
+
+
+def _added(state: State, factor: float, other: State) -> list[float]:
+    a, b, c, d = state
+    e, f, g, h = other
+    return [a + factor * e, b + factor * f, c + factor * g, d + factor * h]
+
+
+def _at(base: State, first: State, second: State, p: float, q: float) -> State:
+    return (
+        base[0] + p * first[0] + q * second[0],
+        base[1] + p * first[1] + q * second[1],
+        base[2] + p * first[2] + q * second[2],
+        base[3] + p * first[3] + q * second[3],
+    )
