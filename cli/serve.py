@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+import socket
 from argparse import ArgumentParser, Namespace
 
 from cli import store
 from cli.problems import Unusable
 from server import run as server
-
-CANNOT_BIND = 1  # how uvicorn leaves when it cannot listen at the address
 
 
 def arguments(parser: ArgumentParser) -> None:
@@ -24,11 +23,16 @@ def arguments(parser: ArgumentParser) -> None:
 def run(options: Namespace) -> int:
     """Serve until the process is told to end."""
     settings = store.settings(options)
+    _check_address(settings.host, settings.port)
     with store.usable():
-        try:
-            server.serve(settings)
-        except SystemExit as stop:
-            if stop.code == CANNOT_BIND:
-                raise Unusable("busy", address=f"{settings.host}:{settings.port}") from None
-            raise
+        server.serve(settings)
     return 0
+
+
+def _check_address(host: str, port: int) -> None:
+    """Try to listen: the server itself would leave with an exit code that says our fault."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    try:
+        socket.create_server((host, port), family=family).close()
+    except OSError as error:
+        raise Unusable("busy", address=f"{host}:{port}", why=error.strerror or error) from None

@@ -1,0 +1,133 @@
+"""The commands that work on a server's store: serve, migrate, token."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from server import run as server
+from server.policy import Role
+from server.settings import Settings
+from server.tokens import read
+from tests.cli.calling import ROOT, run
+
+
+@pytest.fixture(autouse=True)
+def _no_settings(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("GRUBLER_PORT", "GRUBLER_HOST", "GRUBLER_DATA_DIR", "GRUBLER_SECRET", "DATABASE_URL"):
+        monkeypatch.delenv(name, raising=False)
+
+
+def test_migrate_makes_the_store_and_may_be_repeated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "deep" / "data"
+    assert [run(capsys, "migrate", "--data-dir", str(folder)) for _ in range(2)] == [(0, "", "")] * 2
+    assert (folder / "grubler.sqlite3").is_file()
+
+
+def test_a_store_that_cannot_be_made_is_unusable(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "file").write_text("")
+    code, _, err = run(capsys, "migrate", "--data-dir", str(tmp_path / "file" / "data"))
+    assert code == 2 and "the data folder" in err
+
+
+def test_a_database_of_another_kind_is_unusable(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DATABASE_URL", "mysql://somewhere/x")
+    code, _, err = run(capsys, "migrate")
+    assert code == 2 and "must begin with postgresql://" in err
+
+
+def test_a_token_holds_the_role_under_the_secret_of_the_environment(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("GRUBLER_SECRET", "of the test")
+    code, out, err = run(capsys, "token", "--role", "lecturer")
+    assert (code, err) == (0, "")
+    assert read(out.strip(), b"of the test")[0] is Role.LECTURER
+
+
+def test_a_token_can_be_had_before_the_first_start(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    one, other = (run(capsys, "token", "--role", "student", "--data-dir", str(tmp_path)) for _ in range(2))
+    assert one[0] == other[0] == 0 and one[1].count(".") == 2
+
+
+@pytest.mark.parametrize("arguments", [["--role", "king"], [], ["--role", "lecturer", "--hours", "-1"]])
+def test_a_token_for_nobody_is_unusable(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, "token", *arguments)[0] == 2
+
+
+@pytest.mark.parametrize("port", ["0", "65536", "http"])
+def test_a_port_that_is_none_is_unusable(port: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, "serve", "--port", port)
+    assert code == 2 and "the port must be a number" in err
+
+
+def test_plain_http_for_others_must_be_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, "serve", "--host", "0.0.0.0", "--data-dir", str(tmp_path / "data"))
+    assert code == 2 and "--insecure-http" in err and not (tmp_path / "data").exists()
+
+
+def test_options_reach_the_server(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    started: list[Settings] = []
+    monkeypatch.setattr(server, "serve", started.append)
+    options = ["--host", "127.0.0.2", "--port", "8001", "--data-dir", str(tmp_path), "--insecure-http"]
+    assert run(capsys, "serve", *options, "--public-url", "https://lab.example")[0] == 0
+    (found,) = started
+    assert (found.host, found.port, found.data_dir) == ("127.0.0.2", 8001, tmp_path)
+    assert found.insecure_http and found.public_url == "https://lab.example"
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1", "2001:db8::1", "no-such-host.invalid"])
+def test_an_address_that_cannot_be_listened_at_is_unusable(
+    host: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as holder:
+        port = str(holder.getsockname()[1])
+        code, _, err = run(capsys, "serve", "--host", host, "--port", port, "--data-dir", str(tmp_path))
+    assert code == 2 and "cannot be listened at" in err and len(err.splitlines()) == 1
+
+
+def free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        port: int = listener.getsockname()[1]
+        return port
+
+
+@pytest.fixture
+def address(tmp_path: Path) -> Iterator[str]:
+    """A served server, ended as a service manager ends it."""
+    port = free_port()
+    command = [sys.executable, "-m", "cli.main", "serve", "--port", str(port), "--data-dir", str(tmp_path)]
+    process = subprocess.Popen(command, cwd=ROOT, env={**os.environ}, stdout=subprocess.PIPE, text=True)
+    assert process.stdout and re.search(r"http://127\.0\.0\.1:\d+", process.stdout.readline())
+    yield f"http://127.0.0.1:{port}"
+    process.terminate()
+    assert process.wait(30) in (0, -15)
+    process.stdout.close()
+
+
+def test_serve_answers_from_a_fresh_folder(address: str) -> None:
+    deadline = time.monotonic() + 60
+    while True:
+        try:
+            with urllib.request.urlopen(f"{address}/ready", timeout=10) as response:
+                assert json.loads(response.read()) == {"status": "ready"}
+            return
+        except urllib.error.URLError:
+            assert time.monotonic() < deadline, "the server does not answer"
+            time.sleep(0.1)
