@@ -124,15 +124,19 @@ def run_node(assets: Path, *arguments: str) -> None:
 
 
 def cut_fonts(assets: Path, folder: Path) -> None:
-    """Cut the four faces to the letters and symbols in use."""
+    """Cut the four faces to the letters and symbols in use, unless this file and the lock have cut them before."""
     from fontTools.merge import Merger
 
+    digest = digest_of([assets / "package-lock.json", Path(__file__)])
+    if read(folder / STAMP) == digest:
+        return
     folder.mkdir(parents=True, exist_ok=True)
     for face, style in TEXT_FACES.items():
         files = [assets / FONTS.format(face="text", script=script, style=style) for script in SCRIPTS]
         save(Merger().merge(cut_each(files, set(map(ord, TEXT)))), folder / f"text-{face}.woff2")
     whole = assets / FONTS.format(face="math", script="latin", style="400-normal")
     save(cut(whole, set(map(ord, MATHS)), MATH_FEATURES), folder / "math.woff2")
+    (folder / STAMP).write_text(digest)
 
 
 def cut_each(files: list[Path], wanted: set[int]) -> list[BytesIO]:

@@ -35,10 +35,11 @@ function copy(source: Element): Element {
   return target;
 }
 
-/** All top-level formulas of a text; the parsed document is inert and is thrown away. */
+/** All top-level formulas of a text, read as XML: the parsed document is inert and is thrown away; damaged text gives none. */
 export function readMathML(text: string): Element[] {
-  const parsed = new DOMParser().parseFromString(text, "text/html");
-  return Array.from(parsed.body.children)
-    .filter((node) => node.localName === "math" && node.namespaceURI === NAMESPACE)
+  const parsed = new DOMParser().parseFromString(`<lines>${text}</lines>`, "application/xml");
+  if (parsed.querySelector("parsererror") !== null) return [];
+  return Array.from(parsed.documentElement.children)
+    .filter((node) => node.localName === "math")
     .map(copy);
 }

@@ -1,0 +1,259 @@
+"""The islands in a real browser, under the content-security policy that pages are served with."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, Route
+
+BUILT = Path(__file__).parents[2] / "server/static/build"
+ENTRY = json.loads((BUILT / "manifest.json").read_text())["main.ts"]
+HOME = "http://grubler.test/"
+POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; font-src 'self'; connect-src 'self'; form-action 'self'"
+)
+PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
+<link rel="stylesheet" href="/static/build/{ENTRY["css"][0]}">
+<script type="module" src="/static/build/{ENTRY["file"]}"></script>
+<form method="post" action="/sent" data-preview="/preview" data-word-read="odczytano" data-word-offline="brak"
+ data-draft="v1"{{graded}}>
+<div class="answer"><span class="no">1</span><div class="body">
+<label for="w">w</label><textarea id="w" name="answer.w" class="formula" rows="1" data-echo="w-e">
+</textarea><div class="keys" role="group" aria-label="s" hidden><button type="button" data-insert="l1">l1</button>
+<button type="button" data-insert="sqrt()" data-back="1">r</button>
+<button type="button" data-key="backspace">b</button></div><p class="read" id="w-e" role="status"></p></div></div>
+<div class="matrix columns-2"><input name="answer.T.1.1"><input name="answer.T.1.2"><input name="answer.T.2.1">
+<input name="answer.T.2.2"></div>
+<label><input type="radio" name="answer.c" value="a">a</label>
+<label><input type="radio" name="answer.c" value="b">b</label>
+<button class="btn main" type="submit" data-sending="Wysyłanie">Sprawdź</button></form></html>"""
+
+SLOW_FIRST = """() => { window.fetch = async (url, {body}) => {
+  const {text} = JSON.parse(body);
+  await new Promise((done) => setTimeout(done, text === "a" ? 900 : 0));
+  setTimeout(() => { document.documentElement.dataset.replied = text; }, 50);
+  return new Response(JSON.stringify({ok: true, mathml: `<math><mi>${text}</mi></math>`}));
+}; }"""
+
+Reply = Callable[[dict[str, str]], dict[str, Any] | str | None]
+
+
+def understood(mathml: str) -> dict[str, Any]:
+    return {"ok": True, "mathml": mathml, "text": "t", "unit": None, "note": None}
+
+
+class Site:
+    """The pages and the preview as the browser sees them; nothing listens on a port."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.complaints: list[str] = []
+        self.asked: list[dict[str, str]] = []
+        self.languages: list[str | None] = []
+        self.sent: list[str | None] = []
+        self.graded = ""
+        self.reply: Reply = lambda question: understood(f"<math><mi>{question['text']}</mi></math>")
+        page.route(HOME + "**", self._answer)
+
+    def _answer(self, route: Route) -> None:
+        path = route.request.url.removeprefix(HOME)
+        if path.startswith("static/build/"):
+            route.fulfill(path=BUILT / path.rsplit("/", 1)[1])
+        elif path == "preview":
+            self._preview(route)
+        elif path == "sent":
+            self.sent.append(route.request.post_data)
+            route.fulfill(status=204)
+        else:
+            body = PAGE.replace("{graded}", self.graded)
+            route.fulfill(body=body, headers={"Content-Type": "text/html", "Content-Security-Policy": POLICY})
+
+    def _preview(self, route: Route) -> None:
+        question = json.loads(route.request.post_data or "")
+        self.asked.append(question)
+        self.languages.append(route.request.headers.get("accept-language"))
+        reply = self.reply(question)
+        if reply is None:
+            route.abort()
+        else:
+            route.fulfill(body=reply if isinstance(reply, str) else json.dumps(reply), content_type="application/json")
+
+    def open(self) -> Page:
+        self.page.goto(HOME)
+        self.page.wait_for_selector(".keys")
+        return self.page
+
+
+@pytest.fixture
+def site(browser: Browser) -> Iterator[Site]:
+    context = browser.new_context()
+    context.set_default_timeout(5000)
+    page = context.new_page()
+    site = Site(page)
+    page.on("pageerror", lambda error: site.complaints.append(str(error)))
+    page.on("console", lambda line: site.complaints.append(line.text) if "Content Security" in line.text else None)
+    yield site
+    context.close()
+    assert not site.complaints
+
+
+def test_a_typed_line_is_echoed_once_as_mathematics(site: Site) -> None:
+    page = site.open()
+    page.type("#w", "l1")
+    page.wait_for_selector("#w-e mi")
+    assert site.asked == [{"answer": "w", "text": "l1"}]
+    assert site.languages == ["pl"]
+    assert page.inner_text("#w-e").split() == ["odczytano", "l1"]
+    is_maths = "document.querySelector('#w-e mi').namespaceURI"
+    assert page.evaluate(is_maths) == "http://www.w3.org/1998/Math/MathML"
+
+
+def test_nothing_but_mathematics_gets_from_a_preview_into_the_page(site: Site) -> None:
+    attack = (
+        '<math href="javascript:x=1" onclick="x=1" style="color:red" id="w"><mi mathvariant="normal">a</mi><script>x=1'
+        '</script><mtext><img src="/x" onerror="x=1"/><b>b</b></mtext><annotation-xml encoding="text/html"><p>c</p>'
+        '</annotation-xml></math><img src="/y"/><p>d</p>'
+    )
+    site.reply = lambda question: understood(attack)
+    page = site.open()
+    page.type("#w", "a")
+    page.wait_for_selector("#w-e mi")
+    safe = '<math><mi mathvariant="normal">a</mi><mtext></mtext></math>'
+    assert page.inner_html("#w-e .echo") == safe
+
+
+def test_damaged_mathematics_falls_back_to_its_text(site: Site) -> None:
+    site.reply = lambda question: understood("<math><mi>a</math>")
+    page = site.open()
+    page.type("#w", "a")
+    page.wait_for_selector("#w-e .echo:text-is('t')")
+    site.complaints.clear()  # Chromium styles its own report of the damage, which the policy stops
+
+
+def test_an_unreadable_line_is_explained_and_marked_until_it_can_be_read(site: Site) -> None:
+    page = site.open()
+    site.reply = lambda question: {"ok": False, "message": "<b>Nie odczytano", "position": 2}
+    page.type("#w", "a/")
+    page.wait_for_selector("#w-e.bad")
+    assert page.inner_text("#w-e") == "<b>Nie odczytano"
+    assert page.get_attribute("#w", "aria-invalid") == "true"
+    site.reply = lambda question: understood("<math><mi>a</mi></math>")
+    page.type("#w", "b")
+    page.wait_for_selector("#w-e mi")
+    assert page.get_attribute("#w", "aria-invalid") is None
+    page.fill("#w", "")
+    assert page.inner_text("#w-e") == ""
+
+
+@pytest.mark.parametrize("reply", [None, "<html>", "{}"])
+def test_without_a_preview_the_page_says_so_quietly(site: Site, reply: str | None) -> None:
+    site.reply = lambda question: reply
+    page = site.open()
+    page.type("#w", "a")
+    page.wait_for_selector("#w-e:text-is('brak')")
+    assert page.get_attribute("#w", "aria-invalid") is None
+
+
+def test_a_late_reply_does_not_cover_a_newer_line(site: Site) -> None:
+    page = site.open()
+    page.evaluate(SLOW_FIRST)
+    page.type("#w", "a")
+    page.wait_for_timeout(450)
+    page.type("#w", "b")
+    page.wait_for_selector("html[data-replied='a']")
+    assert page.text_content("#w-e mi") == "ab"
+
+
+def test_symbol_keys_type_at_the_caret_and_give_the_focus_back(site: Site) -> None:
+    page = site.open()
+    page.type("#w", "2*")
+    page.click("text=l1")
+    page.click('button:text-is("r")')
+    page.keyboard.type("x")
+    assert page.input_value("#w") == "2*l1sqrt(x)"
+    page.click('button:text-is("b")')
+    assert page.input_value("#w") == "2*l1sqrt()"
+    page.keyboard.press("Control+a")
+    page.click('button:text-is("r")')
+    assert page.input_value("#w") == "sqrt(2*l1sqrt())"
+    page.keyboard.press("Control+z")
+    assert page.input_value("#w") == "2*l1sqrt()"
+
+
+def test_the_symbol_row_is_one_tab_stop_with_arrows_inside(site: Site) -> None:
+    page = site.open()
+    page.focus("#w")
+    focused = "document.activeElement.textContent"
+    page.keyboard.press("Tab")
+    assert page.evaluate(focused) == "l1"
+    page.keyboard.press("ArrowLeft")
+    assert page.evaluate(focused) == "b"
+    page.keyboard.press("Shift+Tab")
+    page.keyboard.press("Tab")
+    assert page.evaluate(focused) == "b"
+    page.keyboard.press("Home")
+    page.keyboard.press("Enter")
+    assert page.input_value("#w") == "l1"
+    assert page.evaluate("document.activeElement.id") == "w"
+
+
+def test_a_formula_grows_takes_no_line_break_and_is_sent_once_by_ctrl_enter(site: Site) -> None:
+    page = site.open()
+    height = "document.querySelector('#w').offsetHeight"
+    low = page.evaluate(height)
+    page.fill("#w", "a+" * 300)
+    assert page.evaluate(height) > 2 * low
+    page.fill("#w", "a")
+    page.keyboard.press("Enter")
+    assert page.input_value("#w") == "a"
+    assert not site.sent
+    for _ in range(3):
+        page.keyboard.press("Control+Enter")
+    page.click("button.main", force=True)
+    page.wait_for_timeout(200)
+    assert len(site.sent) == 1
+    assert page.inner_text("button.main") == "Wysyłanie"
+    assert page.get_attribute("button.main", "aria-disabled") == "true"
+    page.evaluate("window.dispatchEvent(new PageTransitionEvent('pageshow'))")
+    assert page.inner_text("button.main") == "Sprawdź"
+    assert page.get_attribute("button.main", "aria-disabled") is None
+
+
+def test_ctrl_and_an_arrow_move_in_the_matrix(site: Site) -> None:
+    page = site.open()
+    page.focus('[name="answer.T.1.1"]')
+    names = []
+    for key in ("Right", "Down", "Left", "Up", "Up"):
+        page.keyboard.press(f"Control+Arrow{key}")
+        names.append(page.evaluate("document.activeElement.name"))
+    assert names == ["answer.T.1.2", "answer.T.2.2", "answer.T.2.1", "answer.T.1.1", "answer.T.1.1"]
+
+
+def test_a_draft_comes_back_and_is_echoed_until_it_is_graded(site: Site) -> None:
+    page = site.open()
+    page.fill("#w", "l1")
+    page.fill('[name="answer.T.2.1"]', "5")
+    page.check('[value="b"]')
+    page = site.open()
+    assert page.input_value("#w") == "l1"
+    assert page.input_value('[name="answer.T.2.1"]') == "5"
+    assert page.is_checked('[value="b"]')
+    page.wait_for_selector("#w-e mi")
+    site.graded = " data-graded"
+    assert site.open().input_value("#w") == ""
+    site.graded = ""
+    assert site.open().input_value("#w") == ""
+
+
+def test_a_browser_that_keeps_nothing_loses_only_the_draft(site: Site) -> None:
+    refusal = (
+        "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('no', 'SecurityError'); }})"
+    )
+    site.page.add_init_script(refusal)
+    page = site.open()
+    page.type("#w", "l1")
+    page.wait_for_selector("#w-e mi")
