@@ -19,6 +19,8 @@ def level(tree: Tree) -> int:
             return ATOM - 1
         case Unary():
             return 3
+        case Call(function="macaulay"):  # written with its power: <u>^n
+            return ATOM - 1
         case _:
             return ATOM
 

@@ -231,3 +231,9 @@ def test_any_text_is_read_or_refused_with_a_place_inside_it(text: str) -> None:
         assert 0 <= refused.position <= len(text)
     else:
         assert parse(text_of(tree), DECLARED) == tree
+
+
+@pytest.mark.parametrize("typed", ["(<x - a>^0)^2", "(<x - a>)^2", "<x - a>^2*x"])
+def test_a_power_of_a_macaulay_bracket_is_printed_with_its_brackets(typed: str) -> None:
+    tree = parse(typed, DECLARED)
+    assert parse(text_of(tree), DECLARED) == tree
