@@ -10,7 +10,6 @@ from figures.canvas import Piece, Text
 from figures.label import number
 from figures.lines import SMALL_HEAD, head, thin
 from figures.placing import GAP
-from figures.plane import Point
 
 ROW = 20.0
 RISE = 5.0  # of the base line above the line
@@ -80,21 +79,33 @@ def _overlap(one: Dimension, other: Dimension) -> bool:
 
 def _free_text(at: int, dimensions: Sequence[Dimension], rows: Sequence[int], placed: Sequence[_Set]) -> float | None:
     """Where the text of a dimension stands: inside, aside of the middle, outside; None where all is taken."""
-    # extension lines of the row above reach past it, into the room of this text
     own, half = dimensions[at], number(dimensions[at].text).width / 2 + GAP
-    lines = [x for d, row in zip(dimensions, rows, strict=True) if row >= rows[at] - 1 for x in (d.start, d.end)]
+    beyond = [d for d, row in zip(dimensions, rows, strict=True) if row >= rows[at] - 1]
+    lines = [x for d in beyond for x in (d.start, d.end)]
     spans = [d for i, d in enumerate(dimensions) if rows[i] == rows[at] and i != at]
     taken = [(p.text_at, number(p.dimension.text).width / 2 + GAP) for p in placed if p.row == rows[at]]
+    heads = [end for i, d in enumerate(dimensions) if rows[i] == rows[at] - 1 for end in _heads(d)]
     for middle in _trials(own, half, max(lines), min(lines)):
-        inside = own.start <= middle - half and middle + half <= own.end
         span = Dimension(min(middle - half, own.start), max(middle + half, own.end), "")
-        if any(middle - half < x < middle + half for x in lines):
+        room = Dimension(middle - half, middle + half, "")
+        if any(room.start < x < room.end for x in lines) or any(_overlap(room, head) for head in heads):
             continue
-        if not inside and any(_overlap(span, other) for other in spans):
+        if any(_overlap(span, other) for other in spans):
             continue
         if all(abs(middle - other) >= half + width for other, width in taken):
             return middle
     return None
+
+
+def _is_small(one: Dimension) -> bool:
+    return one.end - one.start < 2.5 * SMALL_HEAD[0]
+
+
+def _heads(one: Dimension) -> tuple[Dimension, Dimension]:
+    """Where the heads of a dimension lie: inside it, outside a small one. They reach down into the next row."""
+    inward = -SMALL_HEAD[0] if _is_small(one) else SMALL_HEAD[0]
+    starts, ends = sorted((one.start, one.start + inward)), sorted((one.end - inward, one.end))
+    return Dimension(starts[0], starts[1], ""), Dimension(ends[0], ends[1], "")
 
 
 def _trials(own: Dimension, half: float, right: float, left: float) -> tuple[float, ...]:
@@ -108,15 +119,11 @@ def _drawn(one: _Set, y: float) -> tuple[Piece, ...]:
     label = number(one.dimension.text)
     text = Text(complex(one.text_at, y + RISE), label, "middle")
     reach = (one.text_at - label.width / 2, one.text_at + label.width / 2)
-    line = thin(complex(min(reach[0], start.real), y), complex(max(reach[1], end.real), y))
-    return (*_measured(start, end, line), text)
-
-
-def _measured(start: Point, end: Point, line: Piece) -> tuple[Piece, ...]:
-    if abs(end - start) >= 2.5 * SMALL_HEAD[0]:
-        return (line, head(start, pi, "thin", SMALL_HEAD), head(end, 0, "thin", SMALL_HEAD))
-    tails = thin(start - 16, end + 16)  # a small gap: heads outside
-    return (line, tails, head(start, 0, "thin", SMALL_HEAD), head(end, pi, "thin", SMALL_HEAD))
+    if not _is_small(one.dimension):
+        line = thin(complex(min(reach[0], start.real), y), complex(max(reach[1], end.real), y))
+        return (line, head(start, pi, "thin", SMALL_HEAD), head(end, 0, "thin", SMALL_HEAD), text)
+    line = thin(complex(min(reach[0], start.real - 16), y), complex(max(reach[1], end.real + 16), y))
+    return (line, head(start, 0, "thin", SMALL_HEAD), head(end, pi, "thin", SMALL_HEAD), text)
 
 
 def _ends(placed: Sequence[_Set]) -> list[float]:

@@ -53,7 +53,7 @@ class Label:
     def box(self, at: Point, anchor: Anchor) -> Box:
         """The room it takes with its base line at ``at``."""
         left = at.real - {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor] * self.width
-        low = 0.34 * self.size if self.index else 0.2 * self.size
+        low = (0.34 if self.index else 0.14 if self.size == NUMBER_SIZE else 0.2) * self.size
         rise = 22.0 if self.arrow else 0.74 * self.size
         return Box(left, at.imag - low, left + self.width, at.imag + rise)
 

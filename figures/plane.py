@@ -63,6 +63,10 @@ class Box:
     def crossed_by(self, segment: Segment) -> bool:
         """Whether a segment runs through the inside of the box (clipped side by side, after Liang and Barsky)."""
         start, end = segment
+        if max(start.real, end.real) <= self.left or min(start.real, end.real) >= self.right:
+            return False
+        if max(start.imag, end.imag) <= self.bottom or min(start.imag, end.imag) >= self.top:
+            return False
         way = end - start
         first, last = 0.0, 1.0
         for offset, speed, low, high in (

@@ -1,7 +1,7 @@
 """The RRR arm in space with its joint axes, coordinates, lengths and Denavit-Hartenberg frames (standard convention).
 
-The first axis is vertical, the second and third are parallel and level. The pose is always the same and not to
-scale. Positive q1 and q2 turn counter-clockwise about z0 and z1; q3 bends the last link down from the second.
+The first axis is vertical, the second and third are parallel and level; frames 2 and 3 stand at the elbow (domain
+DH-15). The pose is always the same and not to scale. Positive q1 and q2 turn counter-clockwise about z0 and z1; q3 bends the last link down from the second.
 """
 
 from __future__ import annotations
@@ -81,7 +81,8 @@ def _frame(number: int) -> tuple[_Tip, ...]:
         case 2:
             return ((_ELBOW, _UPPER, 104.0, "x_2"), (plus(_ELBOW, (18.0, _LEVEL)), _LEVEL, _AXIS, "z_2"))
         case _:
-            return ((_TOOL, _LOWER, _AXIS, "x_3"), (_TOOL, _LEVEL, _AXIS, "z_3"))
+            beyond = plus(_ELBOW, (18.0 + _AXIS, _LEVEL))  # z3 lies on z2
+            return ((_TOOL, _LOWER, _AXIS, "x_3"), (beyond, _LEVEL, _AXIS / 3, "z_3"))
 
 
 def _axes() -> tuple[Piece, ...]:
@@ -92,8 +93,7 @@ def _axes() -> tuple[Piece, ...]:
 def _arm() -> tuple[Piece, ...]:
     base, shoulder, elbow, tool = map(seen, (_BASE, _SHOULDER, _ELBOW, _TOOL))
     return (
-        *ground_line(base - 24 - 54j, base + 24 - 54j),
-        Line("f-link", (base - 54j, base)),
+        *ground_line(base - 26 - 5j, base + 26 - 5j),
         *cylinder(plus(_BASE, (16.0, Z)), Z, 30.0, 13.0),
         Line("f-link", (seen(plus(_BASE, (31.0, Z))), shoulder)),
         Line("f-link", (elbow, tool)),
@@ -130,7 +130,7 @@ def _name(pieces: list[Piece], names: Names, tips: Sequence[_Tip]) -> None:
     ends = ((_BASE, _SHOULDER), (_SHOULDER, _ELBOW), (_ELBOW, _TOOL))
     for name, (start, end) in zip(names.lengths, ends, strict=True):
         pieces += place(symbol(name), _along(symbol(name), seen(start), seen(end)), pieces) if name else ()
-    pieces += place(point(names.tool), _beyond(seen(_TOOL), 0.9), pieces, seen(_TOOL)) if names.tool else ()
+    pieces += place(point(names.tool), ((seen(_TOOL) + 9 + 6j, "start"),), pieces) if names.tool else ()
 
 
 def _arc_middles() -> tuple[tuple[Point, Point], ...]:
@@ -142,8 +142,8 @@ def _arc_middles() -> tuple[tuple[Point, Point], ...]:
 
 def _beyond(tip: Point, angle: float) -> tuple[Spot, ...]:
     """Around a tip, beginning with its own direction."""
-    turns = (0.0, 0.7, -0.7, 1.4, -1.4)
-    return tuple((tip + 20 * unit(angle + by) - 7j, "middle") for by in turns)
+    turns = ((0.0, 20), (0.7, 20), (-0.7, 20), (1.4, 20), (-1.4, 20), (1.4, 25), (-1.4, 25))
+    return tuple((tip + away * unit(angle + by) - 7j, "middle") for by, away in turns)
 
 
 def _outside(centre: Point, middle: Point) -> tuple[Spot, ...]:

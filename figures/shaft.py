@@ -14,11 +14,11 @@ from typing import Literal
 from figures import dimensions as dims
 from figures.canvas import Drawing, Piece
 from figures.label import number, point, symbol
-from figures.lines import axis, thin_arrow
+from figures.lines import axis, thin, thin_arrow
 from figures.loads import TORQUE_HEIGHT, torque
 from figures.members import WALL, bar, bore, fixed_end
 from figures.picture import Picture, Words
-from figures.placing import Spot, place, written
+from figures.placing import GAP, Spot, place, spread, written
 
 SPAN = 440.0
 WIDTH = 572.0
@@ -135,19 +135,37 @@ def _name(
     pieces: list[Piece], segments: Sequence[Segment], torques: Sequence[Torque], ends: tuple[str, str], scale: float
 ) -> None:
     pieces += (*thin_arrow(SPAN + 34, SPAN + 46), *written(symbol("x", "thin"), SPAN + 46 + 8j, "middle"))
-    for name, at, anchor in ((ends[0], -14 + 14j, "end"), (ends[1], SPAN + 14 + 14j, "start")):
-        pieces += place(point(name), ((at, "end" if anchor == "end" else "start"),), pieces) if name else ()
-    for one in torques:
-        pieces += place(symbol(one.name, "load"), _torque_spots(one.x * scale), pieces)
-    for segment, (start, end) in zip(segments, pairwise(_joints(segments, scale)), strict=True):
+    pieces += _torque_names(torques, scale)
+    for name, spots in zip(ends, _end_spots(), strict=True):
+        pieces += place(point(name), spots, pieces) if name else ()
+    stretches = zip(segments, pairwise(_joints(segments, scale)), strict=True)
+    for segment, (start, end) in sorted(stretches, key=lambda one: -one[0].length):  # the long ones have room
         half = max(_thickness(segments, segment.outer), THINNEST) / 2
-        target = complex((start + end) / 2, half - 3)
-        pieces += place(number(segment.text), _diameter_spots(start, end, half), pieces, target) if segment.text else ()
+        targets = [complex(start + share * (end - start), half - 3) for share in (0.5, 0.7, 0.3, 0.85, 0.15)]
+        pieces += (
+            place(number(segment.text), _diameter_spots(start, end, half), pieces, *targets) if segment.text else ()
+        )
 
 
-def _torque_spots(x: float) -> tuple[Spot, ...]:
-    high = (TORQUE_HEIGHT + 14) * 1j
-    return ((x + high, "middle"), (x + 8 + high, "start"), (x - 8 + high, "end"), (x + 20j + high, "middle"))
+def _end_spots() -> tuple[tuple[Spot, ...], tuple[Spot, ...]]:
+    rises = (14j, 24j, -30j)
+    left: tuple[Spot, ...] = tuple((-14 + rise, "end") for rise in rises)
+    right: tuple[Spot, ...] = tuple((SPAN + aside + rise, "start") for rise in rises for aside in (14, 26))
+    return left, right
+
+
+def _torque_names(torques: Sequence[Torque], scale: float) -> list[Piece]:
+    """The names in one row above the arcs; one that had to move aside keeps a thin line to its arc."""
+    named = sorted((one for one in torques if one.name), key=lambda one: one.x)
+    labels = [symbol(one.name, "load") for one in named]
+    places = spread([one.x * scale for one in named], [label.width + 2 * GAP for label in labels])
+    pieces: list[Piece] = []
+    for one, label, x in zip(named, labels, places, strict=True):
+        foot, top = complex(x, TORQUE_HEIGHT + 17), complex(one.x * scale, TORQUE_HEIGHT + 3)
+        pieces += written(label, foot, "middle")
+        if abs(x - one.x * scale) > 12:
+            pieces.append(thin(top, complex(x, foot.imag + label.box(0, "start").bottom - 1)))
+    return pieces
 
 
 def _diameter_spots(start: float, end: float, half: float) -> tuple[Spot, ...]:

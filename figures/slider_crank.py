@@ -64,7 +64,7 @@ def _scheme(names: Names, sense: Literal["ccw", "cw"]) -> list[Piece]:
     pieces += _angle(_A, 46, CRANK_ANGLE, names.angles[0])
     if names.speed:
         ends = (radians(60), radians(94)) if sense == "ccw" else (radians(94), radians(60))
-        pieces += (*arc(_A, 84, *ends, "vel"), *written(symbol(names.speed, "vel"), 94 * 1j - 6, "middle"))
+        pieces += (*arc(_A, 84, *ends, "vel"), *written(symbol(names.speed, "vel"), 99 * 1j - 8, "middle"))
     pieces += [mark for at in (_A, _B, _C) for mark in revolute(at)]
     for name, at in zip(names.points, (_A - 18 + 10j, _B + 16j, _C + 26j), strict=True):
         pieces += written(point(name), at, "middle") if name else ()
