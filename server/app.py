@@ -75,6 +75,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     judging = app.state.judging or JudgingThread()
     secret = settings.secret or secret_of(settings.store_url)
     app.state.bench = Bench(settings, storage, judging, secret, app.state.assets)
+    await _purge(storage)
     purging = asyncio.create_task(_purge_daily(storage))
     try:
         yield
@@ -88,9 +89,13 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
 
 async def _purge_daily(storage: Storage) -> None:
     while True:
-        try:
-            gone = await storage.purge(datetime.now(UTC) - IDLE)
-            log.info("forgot %d idle practice variants", gone)
-        except StorageUnavailable as error:
-            log.warning("idle practice variants stay for now: %s", error)
         await asyncio.sleep(PURGE)
+        await _purge(storage)
+
+
+async def _purge(storage: Storage) -> None:
+    try:
+        gone = await storage.purge(datetime.now(UTC) - IDLE)
+        log.info("forgot %d idle practice variants", gone)
+    except StorageUnavailable as error:
+        log.warning("idle practice variants stay for now: %s", error)

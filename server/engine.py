@@ -10,7 +10,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, make_url
 BUSY = 10_000  # ms to wait for another process's lock
 READERS = 4  # threads and connections that read
 
-PRAGMAS = ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON", f"busy_timeout={BUSY}")
+PRAGMAS = (f"busy_timeout={BUSY}", "journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON")
 
 
 def engine(url: str, *, connections: int, begin: str = "BEGIN") -> Engine:

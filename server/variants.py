@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 from collections.abc import Mapping
 from datetime import UTC, datetime, timedelta
+from html import escape
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
@@ -14,6 +15,7 @@ from exercises import grading, presenting
 from exercises import variants as dealing
 from exercises.catalogue import UnknownExercise
 from exercises.exercise import Variant
+from exercises.words import printed_unit
 from graders import Echo, Verdict
 from graders.verdict import Reading
 from graders.words import message
@@ -268,7 +270,13 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
     if isinstance(read, Verdict):
         position = read.details.position if isinstance(read.details, Reading) else None
         return Understood(ok=False, code=read.code, message=message(read, language), position=position)
-    return Understood(ok=True, mathml=read.mathml, text=read.text, unit=read.unit)
+    unit = printed_unit(read.unit or "", language)
+    mathml = (
+        read.mathml.replace("</math>", f'<mspace width=".2em"/><mtext>{escape(unit)}</mtext></math>')
+        if unit
+        else read.mathml
+    )
+    return Understood(ok=True, mathml=mathml, text=f"{read.text} {unit}".rstrip(), unit=read.unit)
 
 
 async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting.SolvedLine, ...]:

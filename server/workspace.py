@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ from server.submissions import Graded, Judged
 from server.variants import Understood, understood
 
 SHORT = ("quantity", "integer")
+SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,8 +86,8 @@ class Line:
     def headline(self) -> tuple[str, str]:
         """The first sentence of the verdict, and the rest."""
         assert self.verdict is not None
-        first, end, rest = self.verdict.message.partition(". ")
-        return first + end.strip(), rest
+        first, *rest = SENTENCE_END.split(self.verdict.message, maxsplit=1)
+        return first, "".join(rest)
 
 
 async def lines(

@@ -1,0 +1,172 @@
+"""Pages are complete HTML: reading, answering, previewing and checking need no script."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from html import escape, unescape
+
+import pytest
+from starlette.testclient import TestClient
+
+from exercises import catalogue, grading
+from exercises.presenting import words_of
+from exercises.variants import deal as dealt_by_hand
+
+EN = {"accept-language": "en"}
+RIGHT = grading.reference(dealt_by_hand("slider_crank", 7))
+
+
+def form(answers: dict[str, str], **more: str) -> dict[str, str]:
+    return {f"answer.{name}": text for name, text in answers.items()} | more
+
+
+def post(client: TestClient, number: str, answers: dict[str, str], **more: str) -> str:
+    """Hand in by form; gives the page that follows."""
+    reply = client.post(f"/variants/{number}", data=form(answers, **more), headers=EN, follow_redirects=False)
+    assert reply.status_code == 303, reply.text
+    target = reply.headers["location"]
+    assert target.endswith("#result")
+    return client.get(target.partition("#")[0], headers=EN).text
+
+
+@pytest.mark.parametrize("language", ["pl", "en", "ru"])
+def test_the_catalogue_shows_every_exercise_by_name(client: TestClient, language: str) -> None:
+    page = unescape(client.get(f"/?lang={language}").text)
+    assert f'<html lang="{language}"' in page
+    for name in catalogue.ids():
+        assert words_of(name, language)["title"] in page and f"/exercises/{name}" in page
+
+
+def test_the_catalogue_is_searched_and_filtered(client: TestClient) -> None:
+    assert "/exercises/slider_crank" in client.get("/?q=vp-2&lang=en").text
+    assert "/exercises/slider_crank" not in client.get("/?q=no-such-word&lang=en").text
+    assert "No exercise says this" in client.get("/?chapter=accuracy&lang=en").text
+    hostile = client.get("/", params={"q": '"><script>alert(1)</script>'}).text
+    assert "<script>alert" not in hostile
+
+
+@pytest.mark.parametrize("exercise", catalogue.ids())
+def test_every_exercise_can_be_practised_without_script(client: TestClient, exercise: str) -> None:
+    assert client.get(f"/exercises/{exercise}").status_code == 200
+    dealt = client.post(f"/exercises/{exercise}", data={"seed": "7"}, follow_redirects=False)
+    assert dealt.status_code == 303
+    number = dealt.headers["location"].rsplit("/", 1)[1]
+    right = grading.reference(dealt_by_hand(exercise, 7))
+    page = post(client, number, right)
+    assert f"{len(right)} of {len(right)} right" in page
+    assert page.count('class="verdict v-right"') == len(right)
+    solution = client.get(f"/variants/{number}/solution", headers=EN)
+    assert solution.status_code == 200 and "Worked solution" in solution.text
+
+
+@pytest.mark.parametrize("exercise", catalogue.ids())
+@pytest.mark.parametrize("language", ["pl", "en", "ru"])
+def test_every_field_has_a_label_and_its_messages(client: TestClient, exercise: str, language: str) -> None:
+    location = client.post(f"/exercises/{exercise}", data={"seed": "7"}, follow_redirects=False).headers["location"]
+    client.post(location, data=form({"l3": "1 m/"}))
+    page = client.get(f"{location}?lang={language}").text
+    ids = re.findall(r' id="([^"]+)"', page)
+    assert len(ids) == len(set(ids))
+    named = set(re.findall(r'<label[^>]* for="([^"]+)"', page))
+    for field in re.findall(r"<(?:input|textarea)[^>]*>", page):
+        described = re.search(r'aria-describedby="([^"]*)"', field)
+        assert not described or set(described[1].split()) <= set(ids)
+        own = re.search(r' id="([^"]+)"', field)
+        assert "hidden" in field or "radio" in field or "aria-label" in field or (own and own[1] in named), field
+
+
+def test_no_page_holds_inline_style_or_script(client: TestClient, deal: Callable[..., str]) -> None:
+    number = deal()
+    client.post(f"/variants/{number}", data=form({"l3": "1"}))
+    for path in ("/", "/exercises/slider_crank", f"/variants/{number}", f"/variants/{number}/solution", "/none"):
+        page = client.get(path, headers={"accept": "text/html"}).text
+        assert not re.search(
+            r"\sstyle=|\son\w+=|<style|javascript:|<script(?! type=\"module\" src=\"/static/)", page
+        ), path
+
+
+def test_each_outcome_is_told_at_its_line(client: TestClient, deal: Callable[..., str]) -> None:
+    answers = {"alpha2": RIGHT["alpha2"], "l3": "1 mm", "v3": "1 m/", "omega2_formula": "l1*omega1"}
+    page = post(client, deal(), answers)
+    assert "1 of 5 right" in page
+    for outcome in ("v-right", "v-wrong", "v-unread"):
+        assert f'class="verdict {outcome}"' in page
+    assert re.search(r'name="answer.v3"[^>]*aria-invalid="true"', page)
+    assert not re.search(r'name="answer.omega2"[^>]*aria-invalid', page)
+    assert re.search(r'<h2 id="result" tabindex="-1">', page)
+    assert 'name="answer.l3" type="text" value="1 mm"' in page
+
+
+def test_a_recognised_mistake_shows_its_hint(client: TestClient, deal: Callable[..., str]) -> None:
+    page = post(client, deal(), {"omega2_formula": "-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"})
+    assert "what does the sine become" in page or 'class="note prose"' in page
+
+
+def test_what_a_student_types_is_shown_and_never_run(client: TestClient, deal: Callable[..., str]) -> None:
+    attack = '"><script>alert(1)</script>{{ 7*7 }}</textarea><img src=x onerror=alert(1)>'
+    page = post(client, deal(), {"l3": attack, "omega2_formula": attack})
+    assert "<script>alert" not in page and "<img" not in page and "49" not in page.split("answers")[-1]
+    assert escape(attack) in page.replace("&#34;", "&quot;")
+
+
+def test_reading_is_shown_without_judging(client: TestClient, deal: Callable[..., str]) -> None:
+    number = deal()
+    answers = form({"l3": "12,5", "v3": "1 m/", "omega2_formula": "l1*omega1"})
+    page = client.post(f"/variants/{number}/preview", data=answers, headers=EN).text
+    assert "read as" in page and "Not read" in page and "verdict" not in page
+    assert 'value="12,5"' in page
+    assert client.get(f"/variants/{number}", headers=EN).text.count("verdict") == 0
+
+
+def test_a_page_posted_twice_is_one_submission(client: TestClient, deal: Callable[..., str]) -> None:
+    number = deal()
+    reply = [
+        client.post(f"/variants/{number}", data=form({"l3": text}, key="k"), follow_redirects=False).headers["location"]
+        for text in ("1", "1", "2")
+    ]
+    assert reply[0] == reply[1] != reply[2]
+
+
+def test_the_workspace_continues_where_it_was_left(client: TestClient, deal: Callable[..., str]) -> None:
+    number = deal()
+    post(client, number, {"l3": "17 mm"})
+    page = client.get(f"/variants/{number}", headers=EN).text
+    assert 'value="17 mm"' in page and "data-graded" not in page
+
+
+def test_a_receipt_of_another_variant_is_not_shown_here(client: TestClient, deal: Callable[..., str]) -> None:
+    one, other = deal(), deal()
+    target = client.post(f"/variants/{one}", data=form({"l3": "1"}), follow_redirects=False).headers["location"]
+    receipt = target.partition("receipt=")[2].partition("#")[0]
+    assert client.get(f"/variants/{other}?receipt={receipt}").status_code == 404
+
+
+@pytest.mark.parametrize("seed", ["-1", "x", "9007199254740992", "1" * 30, "٣"])
+def test_a_seed_that_is_none_is_refused_on_a_page(client: TestClient, seed: str) -> None:
+    reply = client.post("/exercises/slider_crank", data={"seed": seed}, headers={"accept": "text/html"} | EN)
+    assert reply.status_code == 422 and "out of range" in reply.text
+
+
+@pytest.mark.parametrize("content", [b"\xff", b"&".join(b"a=1" for _ in range(2000))])
+def test_what_is_no_form_is_refused(client: TestClient, deal: Callable[..., str], content: bytes) -> None:
+    headers = {"content-type": "application/x-www-form-urlencoded"}
+    assert client.post(f"/variants/{deal()}", content=content, headers=headers).status_code == 422
+    assert client.post(f"/variants/{deal()}", json={"answer.l3": "1"}).status_code == 422
+
+
+def test_language_and_appearance_are_kept(client: TestClient) -> None:
+    chosen = client.get("/?lang=ru&theme=dark")
+    assert 'data-theme="dark"' in chosen.text
+    kept = client.get("/", headers=EN).text
+    assert '<html lang="ru" data-theme="dark"' in kept
+    client.get("/?theme=system")
+    assert "data-theme" not in client.get("/").text
+    assert '<html lang="ru"' in client.get("/?lang=xx").text
+
+
+def test_the_language_switch_stays_on_the_page(client: TestClient, deal: Callable[..., str]) -> None:
+    assert "/?q=vp-2&amp;lang=ru" in client.get("/?q=vp-2").text
+    number = deal()
+    preview = client.post(f"/variants/{number}/preview", data=form({"l3": "1"})).text
+    assert f'href="/variants/{number}?lang=ru"' in preview
