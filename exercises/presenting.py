@@ -134,7 +134,7 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
     lines = []
     for name, line in solved.steps.items():
         tree = parse_line(line) if isinstance(line, str) else None
-        value = _shown(solved.values[name], units.get(name, words.get("units", {}).get(name, "")), lang)
+        value = _shown(solved.values[name], units.get(name, _unit_of(name, words)), lang)
         formula = mathml_of(tree, lang != "en") if tree else ""
         heading = inline(indexed(words["steps"], name))
         lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))
@@ -149,6 +149,14 @@ def _equation(name: str, formula: str) -> str:
 
 def _units(solved: Solved) -> dict[str, str]:
     return {solved.step_of(name): g.unit for name, g in solved.answers.items() if isinstance(g, Quantity)}
+
+
+def _unit_of(name: str, words: Words) -> str:
+    """Find the unit in which a step that is no answer is shown; none is named for a pure number."""
+    try:
+        return indexed(words.get("units", {}), name)
+    except KeyError:
+        return ""
 
 
 def _shown(value: Value, unit: str, lang: str) -> str:

@@ -24,7 +24,11 @@ NARROW = "\u202f"  # narrow no-break space between a number and its unit
 PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
 MATHS = re.compile(r"\$([^$]*)\$")
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
-PRINTED: dict[str, str | dict[str, str]] = {"deg": "°", "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"}}
+PRINTED: dict[str, str | dict[str, str]] = {
+    "deg": "°",
+    "deg/m": "°/m",
+    "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"},
+}
 REQUIRED = ("title", "summary", "statement", "answers", "mistakes", "figure", "steps")
 
 
