@@ -54,8 +54,14 @@ def failed(submission: Submission) -> Grade:
     return Grade(verdicts, 0.0, None, False, True, GRADER_VERSION)
 
 
-def preview(variant: Variant, answer: str, text: str) -> Echo | Verdict:
+def preview(variant: Variant, answer: str, text: str, comma: bool = False) -> Echo | Verdict:
     """Say what was understood of one answer; it depends neither on the seed nor on the reference.
+
+    Args:
+        variant: The variant answered.
+        answer: Name of the answer.
+        text: What is typed.
+        comma: Echo decimals with a comma.
 
     Raises:
         UnknownAnswer: The exercise does not ask for this answer.
@@ -64,7 +70,7 @@ def preview(variant: Variant, answer: str, text: str) -> Echo | Verdict:
     if answer not in solved.answers:
         raise UnknownAnswer(answer)
     read = _read(solved, answer, text)
-    return read if isinstance(read, Verdict) else solved.answers[answer].echo(read)
+    return read if isinstance(read, Verdict) else solved.answers[answer].echo(read, comma)
 
 
 def reference(variant: Variant) -> dict[str, str]:

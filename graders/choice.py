@@ -22,8 +22,8 @@ class Choice:
     kind: ClassVar[str] = "choice"
 
     def parse(self, text: str, symbols: Symbols) -> str:
-        """Read a letter or the name of an option; raises AnswerSyntaxError."""
-        typed = text.strip().rstrip(").")
+        """Read a letter or the name of an option, `b`, `b)`, `(b)` or `sense = b`; raises AnswerSyntaxError."""
+        typed = text.rpartition("=")[2].strip().strip("().").strip()
         if not typed:
             raise AnswerSyntaxError(Reason.EMPTY, 0)
         letters = {"abcdefghijkl"[i]: option for i, option in enumerate(self.options)}
@@ -49,7 +49,7 @@ class Choice:
             (reference, letter, f" {letter}) "), tuple(o for o in self.options if o != reference), ("", "?", "zz")
         )
 
-    def echo(self, answer: str) -> Echo:
+    def echo(self, answer: str, comma: bool = False) -> Echo:
         """Say which option was read."""
         return Echo("", answer)
 

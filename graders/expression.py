@@ -65,9 +65,9 @@ class Expression:
             right, (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})"), ("", f"({text}", "1 +", self.step)
         )
 
-    def echo(self, answer: Tree) -> Echo:
+    def echo(self, answer: Tree, comma: bool = False) -> Echo:
         """Show the formula as it was read."""
-        return Echo(mathml_of(answer), text_of(answer))
+        return Echo(mathml_of(answer, comma), text_of(answer))
 
     def carried(self, answer: Tree) -> Tree:
         """Give the student's formula, from which later answers are solved."""

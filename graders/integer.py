@@ -47,7 +47,7 @@ class Integer:
         whole = round(reference)
         return Samples((f"{whole}", f" {whole},0 "), (f"{whole + 1}", f"{-whole - 1}"), ("", "2,5", "x", "1/2"))
 
-    def echo(self, answer: int) -> Echo:
+    def echo(self, answer: int, comma: bool = False) -> Echo:
         """Say which number was read."""
         sign = "<mo>−</mo>" if answer < 0 else ""
         return Echo(f"<math><mrow>{sign}<mn>{abs(answer)}</mn></mrow></math>", str(answer))

@@ -93,8 +93,8 @@ class Grader(Protocol):
         """Give right, wrong and unreadable texts."""
         ...
 
-    def echo(self, answer: Any) -> Echo:
-        """Say what was understood."""
+    def echo(self, answer: Any, comma: bool = False) -> Echo:
+        """Say what was understood, decimals with a comma if asked."""
         ...
 
     def carried(self, answer: Any) -> Value | Tree | None:

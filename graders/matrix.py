@@ -108,9 +108,9 @@ class Matrix:
         off = tuple(tuple(e + 9 * _scale(reference) for e in row) for row in reference)
         return Samples((self.show(reference), f"[{flat}]"), (self.show(off), "[[1]]"), ("", "[[1; 2]", "3", "[[a]]"))
 
-    def echo(self, answer: Typed) -> Echo:
+    def echo(self, answer: Typed, comma: bool = False) -> Echo:
         """Say which matrix was read."""
-        return Echo(mathml_of(answer.tree), text_of(answer.tree))
+        return Echo(mathml_of(answer.tree, comma), text_of(answer.tree))
 
     def carried(self, answer: Typed) -> Rows | None:
         """Give the numbers, if the shape is the one asked for."""

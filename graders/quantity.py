@@ -61,15 +61,7 @@ class Quantity:
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
         expected = read_unit(self.unit)
-        found = PLAIN.match(text)
-        if found is not None:
-            literal, rest, at = found.group().replace("−", "-"), text[found.end() :], found.end()
-            digits = literal.lstrip("-").replace(",", ".").lower().partition("e")
-            tree: Tree = Number(digits[0], int(digits[2] or "0"))
-            tree = Unary("-", tree) if literal[0] == "-" else tree
-            number = float(literal.replace(",", "."))
-        else:
-            tree, number, rest, at = _read_number(text)
+        tree, number, rest, at = _plain_number(text) or _read_number(text)
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
         if unit is None and (isinstance(tree, Angle) or any(isinstance(n, Angle) or _arc(n) for n in walk(tree))):
@@ -124,9 +116,9 @@ class Quantity:
         right = (f"{value:.8g}", f"{value:.8g} {self.unit}", f"{value:.8e}".replace(".", ","), f"({value:.8g})*2/2")
         return Samples(right, (f"{value * 1.5 + self.atol * 9:.8g}", f"{-value:.8g}"), ("", "abc", "1..2", "5 qq"))
 
-    def echo(self, answer: Amount) -> Echo:
+    def echo(self, answer: Amount, comma: bool = False) -> Echo:
         """Say which number was read and in which unit."""
-        return Echo(mathml_of(answer.tree), text_of(answer.tree), self._echo_unit(answer))
+        return Echo(mathml_of(answer.tree, comma), text_of(answer.tree), self._echo_unit(answer))
 
     def _echo_unit(self, answer: Amount) -> str:
         if answer.unit is None:
@@ -165,6 +157,25 @@ def _unit_at(text: str, place: int) -> Unit:
         raise AnswerSyntaxError(error.reason, place + error.position, error.proposal.found) from None
 
 
+def _plain_number(text: str) -> tuple[Tree, float, str, int] | None:
+    """Read a literal with nothing or a known unit behind it, the usual answer; None for all else."""
+    found = PLAIN.match(text)
+    if found is None or not _is_unit(_bare(text[found.end() :])):
+        return None
+    literal = found.group().replace("−", "-")
+    digits = literal.lstrip("-").replace(",", ".").lower().partition("e")
+    tree: Tree = Number(digits[0], int(digits[2] or "0"))
+    number = float(literal.replace(",", "."))
+    return (Unary("-", tree) if literal[0] == "-" else tree), number, text[found.end() :], found.end()
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        return not text or bool(read_unit(text))
+    except AnswerSyntaxError:
+        return False
+
+
 def _read_number(text: str) -> tuple[Tree, float, str, int]:
     """Split a text into a constant expression and the unit behind it: tree, number, unit text and its place."""
     tokens = tokenize(text)
@@ -201,7 +212,9 @@ def _unit_starts(tokens: list[Token], end: int) -> int:
             break
     else:
         return end
-    if at and tokens[at - 1].kind == "/":
+    if at > 1 and tokens[at - 1].kind == "(":  # 12 (mm)
+        at -= 1
+    elif at and tokens[at - 1].kind == "/":
         at -= 1
         if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
             at -= 1

@@ -292,3 +292,10 @@ def test_no_text_makes_a_judge_fail(grader: Grader, text: str) -> None:
         assert refused.position >= 0
     else:
         assert 0 <= grader.check(answer, reference).score <= 1
+
+
+def test_an_echo_has_the_decimal_mark_of_the_reader() -> None:
+    judge = Quantity("mm")
+    answer = judge.parse("12.5", NOTHING)
+    assert "<mn>12,5</mn>" in judge.echo(answer, comma=True).mathml
+    assert "<mn>12.5</mn>" in judge.echo(answer).mathml
