@@ -19,15 +19,16 @@ senses = st.sampled_from((-3.0, -1.0, 2.0))
 
 @st.composite
 def loads(draw_: st.DrawFn) -> list[Load]:
+    """Loads of every kind; two forces, or two couples, never at the same place."""
     found: list[Load] = []
+    alone = {"F": draw_(st.permutations(range(51))), "M": draw_(st.permutations(range(51)))}
     for number in range(1, draw_(st.integers(1, 5)) + 1):
-        kind = draw_(st.sampled_from("FqM"))
+        kind, value = draw_(st.sampled_from("FqM")), draw_(senses)
         if kind == "q":
             start, end = sorted(draw_(st.tuples(tenths, tenths).filter(lambda ends: ends[0] != ends[1])))
-            value = draw_(senses)
             found.append(Distributed(start, end, value, value, f"q{number}"))
         else:
-            found.append((Force if kind == "F" else Couple)(draw_(tenths), draw_(senses), f"{kind}{number}"))
+            found.append((Force if kind == "F" else Couple)(alone[kind][number] / 10, value, f"{kind}{number}"))
     return found
 
 
