@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import re
 import socket
 import subprocess
 import sys
@@ -109,25 +107,24 @@ def free_port() -> int:
 
 
 @pytest.fixture
-def address(tmp_path: Path) -> Iterator[str]:
-    """A served server, ended as a service manager ends it."""
+def served(tmp_path: Path) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """A server and its address; it is ended as a service manager ends it."""
     port = free_port()
     command = [sys.executable, "-m", "cli.main", "serve", "--port", str(port), "--data-dir", str(tmp_path)]
-    process = subprocess.Popen(command, cwd=ROOT, env={**os.environ}, stdout=subprocess.PIPE, text=True)
-    assert process.stdout and re.search(r"http://127\.0\.0\.1:\d+", process.stdout.readline())
-    yield f"http://127.0.0.1:{port}"
-    process.terminate()
-    assert process.wait(30) in (0, -15)
-    process.stdout.close()
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        yield f"http://127.0.0.1:{port}", process
+        process.terminate()
+        process.wait(30)
 
 
-def test_serve_answers_from_a_fresh_folder(address: str) -> None:
-    deadline = time.monotonic() + 60
-    while True:
+def test_serve_answers_from_a_fresh_folder(served: tuple[str, subprocess.Popen[str]]) -> None:
+    address, process = served
+    deadline = time.monotonic() + 120
+    while process.poll() is None and time.monotonic() < deadline:
         try:
             with urllib.request.urlopen(f"{address}/ready", timeout=10) as response:
                 assert json.loads(response.read()) == {"status": "ready"}
             return
         except urllib.error.URLError:
-            assert time.monotonic() < deadline, "the server does not answer"
             time.sleep(0.1)
+    raise AssertionError(f"the server does not answer; exit code {process.poll()}")
