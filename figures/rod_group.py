@@ -1,7 +1,8 @@
 """The RRR arm in space with its joint axes, coordinates, lengths and Denavit-Hartenberg frames (standard convention).
 
 The first axis is vertical, the second and third are parallel and level; frames 2 and 3 stand at the elbow (domain
-DH-15). The pose is always the same and not to scale. Positive q1 and q2 turn counter-clockwise about z0 and z1; q3 bends the last link down from the second.
+DH-15). The pose is always the same and not to scale. Positive q1 and q2 turn counter-clockwise about z0 and z1; q3
+bends the last link down from the second.
 """
 
 from __future__ import annotations
