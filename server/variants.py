@@ -264,7 +264,7 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
         Refused: 422, no such answer is asked for.
     """
     try:
-        read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text)
+        read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text, language != "en")
     except grading.UnknownAnswer:
         raise Refused(422, "unknown_answer", field="answer", name=answer[:40]) from None
     if isinstance(read, Verdict):
