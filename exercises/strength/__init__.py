@@ -1,0 +1,1 @@
+"""Strength of materials: tension, torsion, bending, stress states."""
