@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from typing import Any, TypeVar
 
-from sqlalchemy import Connection, Insert, Row, Select, delete, insert, select, update
-from sqlalchemy.exc import IntegrityError, SQLAlchemyError
+from sqlalchemy import Connection, Row, Select, Table, bindparam, delete, insert, select, update
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.exc import SQLAlchemyError
 
 from server.engine import READERS, engine
 from server.storage import Dealt, Handed, KeyReused, Marked, Owner, StorageUnavailable, UnknownVariant
@@ -19,6 +20,13 @@ from server.writer import Writer
 
 T = TypeVar("T")
 SECRET_BYTES = 32
+VARIANT = select(variants, owners.c.anonymous).join(owners).where(variants.c.id == bindparam("number"))
+TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
+ONCE = (settings, owners, submissions)
+INSERT_ONCE = {
+    **{("sqlite", table.name): sqlite.insert(table).on_conflict_do_nothing() for table in ONCE},
+    **{("postgresql", table.name): postgresql.insert(table).on_conflict_do_nothing() for table in ONCE},
+}
 
 
 class Database:
@@ -36,8 +44,7 @@ class Database:
 
     async def variant(self, number: str) -> Dealt | None:
         """Give a variant."""
-        query = select(variants, owners.c.anonymous).join(owners).where(variants.c.id == number)
-        row = await self._read(lambda connection: connection.execute(query).first())
+        row = await self._read(lambda connection: connection.execute(VARIANT, {"number": number}).first())
         return None if row is None else _dealt(row)
 
     async def touch(self, number: str, time: datetime) -> None:
@@ -98,49 +105,37 @@ def secret_of(url: str) -> bytes:
     """Give the server's secret; the first one to ask makes it."""
     store = engine(url, connections=1, begin="BEGIN IMMEDIATE")
     with store.begin() as connection:
-        _once(connection, insert(settings).values(name="secret", value=secrets.token_hex(SECRET_BYTES)))
+        _insert_once(connection, settings, {"name": "secret", "value": secrets.token_hex(SECRET_BYTES)})
         value = connection.execute(select(settings.c.value).where(settings.c.name == "secret")).scalar_one()
     store.dispose()
     return bytes.fromhex(value)
 
 
-def _once(connection: Connection, statement: Insert) -> bool:
-    savepoint = connection.begin_nested()
-    try:
-        connection.execute(statement)
-    except IntegrityError:
-        savepoint.rollback()
-        return False
-    savepoint.commit()
-    return True
+def _insert_once(connection: Connection, table: Table, values: Mapping[str, Any]) -> bool:
+    """Insert a row unless its key is taken; waits for another server that is just taking it."""
+    statement = INSERT_ONCE[connection.dialect.name, table.name]
+    return connection.execute(statement, values, execution_options={"preserve_rowcount": True}).rowcount == 1
 
 
 def _keep_variant(connection: Connection, variant: Dealt) -> None:
-    owner = variant.owner
-    if connection.execute(select(owners.c.id).where(owners.c.id == owner.id)).first() is None:
-        _once(connection, insert(owners).values(id=owner.id, anonymous=owner.anonymous, created=variant.created))
-    connection.execute(
-        insert(variants).values(
-            id=variant.id, owner=owner.id, exercise=variant.exercise, version=variant.version, seed=variant.seed,
-            givens=variant.givens, created=variant.created, last_used=variant.last_used,
-        )
-    )  # fmt: skip
+    owner = {"id": variant.owner.id, "anonymous": variant.owner.anonymous, "created": variant.created}
+    _insert_once(connection, owners, owner)
+    values = {column.name: getattr(variant, column.name) for column in variants.columns}
+    connection.execute(insert(variants), values | {"owner": variant.owner.id})
 
 
 def _touch(connection: Connection, number: str, time: datetime) -> bool:
-    return connection.execute(update(variants).where(variants.c.id == number).values(last_used=time)).rowcount == 1
+    return connection.execute(TOUCH, {"number": number, "time": time}).rowcount == 1
 
 
 def _keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, bool]:
     handed = marked.handed
     if not _touch(connection, handed.variant, handed.time):
         raise UnknownVariant(handed.variant)
-    if (first := _first(connection, handed)) is not None:
-        return first, True
-    if not _once(connection, insert(submissions).values(_columns(handed))):
-        return _winner(connection, handed), True
+    if not _insert_once(connection, submissions, _columns(handed)):
+        return _first(connection, handed), True
     line = {"submission": handed.receipt, "grader_version": marked.grader_version, "grade": marked.grade}
-    connection.execute(insert(grades).values(line | {"counted": marked.counted, "time": handed.time}))
+    connection.execute(insert(grades), line | {"counted": marked.counted, "time": handed.time})
     return marked, False
 
 
@@ -148,23 +143,14 @@ def _columns(handed: Handed) -> dict[str, Any]:
     return {column.name: getattr(handed, column.name) for column in submissions.columns}
 
 
-def _first(connection: Connection, handed: Handed) -> Marked | None:
-    """What the key stands for already; a request without a key is always new."""
-    if handed.key is None:
-        return None
+def _first(connection: Connection, handed: Handed) -> Marked:
+    """What the key stands for already."""
     mine = submissions.c.owner == handed.owner, submissions.c.variant == handed.variant
-    query = _marked().where(*mine, submissions.c.key == handed.key).order_by(grades.c.id)
-    first = _one(connection, query)
-    if first is not None and first.handed.body != handed.body:
-        raise KeyReused(handed.key)
-    return first
-
-
-def _winner(connection: Connection, handed: Handed) -> Marked:
-    """Another server stored this key between our look and our writing."""
-    first = _first(connection, handed)
+    first = _one(connection, _marked().where(*mine, submissions.c.key == handed.key).order_by(grades.c.id))
     if first is None:
-        raise StorageUnavailable("the submission is held by another transaction")
+        raise StorageUnavailable("the receipt's number is taken")
+    if first.handed.body != handed.body:
+        raise KeyReused(handed.key)
     return first
 
 

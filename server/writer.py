@@ -7,7 +7,7 @@ from concurrent.futures import Future
 from dataclasses import dataclass
 from queue import Empty, SimpleQueue
 from threading import Thread
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeAlias, TypeVar
 
 from sqlalchemy import Connection, Engine
 from sqlalchemy.exc import SQLAlchemyError
@@ -15,6 +15,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from server.storage import StorageUnavailable
 
 T = TypeVar("T")
+Result: TypeAlias = tuple[Any, Exception | None]
 LARGEST_GROUP = 256  # pieces of work in one transaction
 LONGEST_QUEUE = 4096  # pieces waiting; beyond it a client is asked to come back
 
@@ -30,8 +31,9 @@ class Work(Generic[T]):
 class Writer:
     """The one writer of a store.
 
-    A promise is kept only after COMMIT. A piece that fails is rolled back to its savepoint and fails alone; when the
-    transaction itself fails, every promise of the group is broken with `StorageUnavailable`.
+    A promise is kept only after COMMIT. A group in which a piece fails is rolled back and written again with a
+    savepoint for each piece, so that the piece fails alone; a piece may therefore run twice. When the transaction
+    itself fails, every promise of the group is broken with `StorageUnavailable`.
     """
 
     def __init__(self, engine: Engine) -> None:
@@ -80,8 +82,7 @@ class Writer:
 
     def _commit(self, group: list[Work[Any]]) -> None:
         try:
-            with self._engine.begin() as connection:
-                results = [_attempt(connection, work.write) for work in group]
+            results = self._together(group) or self._apart(group)
         except SQLAlchemyError as error:
             for work in group:
                 work.promise.set_exception(StorageUnavailable(str(error)))
@@ -92,8 +93,20 @@ class Writer:
             else:
                 work.promise.set_exception(failure)
 
+    def _together(self, group: list[Work[Any]]) -> list[Result] | None:
+        """Write a group without savepoints; None, and nothing written, if a piece fails."""
+        try:
+            with self._engine.begin() as connection:
+                return [(work.write(connection), None) for work in group]
+        except Exception:  # which piece it was, and why, is found out one by one
+            return None
 
-def _attempt(connection: Connection, write: Callable[[Connection], T]) -> tuple[T | None, Exception | None]:
+    def _apart(self, group: list[Work[Any]]) -> list[Result]:
+        with self._engine.begin() as connection:
+            return [_attempt(connection, work.write) for work in group]
+
+
+def _attempt(connection: Connection, write: Callable[[Connection], Any]) -> Result:
     savepoint = connection.begin_nested()
     try:
         value = write(connection)

@@ -1,0 +1,176 @@
+"""Graded, durable submissions per second over HTTP, against the same server with only the grading taken out.
+
+Both servers run the same application, middleware, schema and commit path; `NoGrading` is the whole difference.
+Rounds alternate, so that a busy machine slows both. Run: ``uv run python benchmarks/http.py``.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parents[1])  # else this file would stand before the library's http
+
+import argparse  # noqa: E402
+import asyncio  # noqa: E402
+import json  # noqa: E402
+import socket  # noqa: E402
+import subprocess  # noqa: E402
+import time  # noqa: E402
+from dataclasses import dataclass  # noqa: E402
+from statistics import median  # noqa: E402
+from tempfile import TemporaryDirectory  # noqa: E402
+
+import uvicorn  # noqa: E402
+
+from exercises import grading  # noqa: E402
+from exercises.exercise import Grade, Submission  # noqa: E402
+from exercises.variants import deal  # noqa: E402
+from server.app import create_app  # noqa: E402
+from server.judging import JudgingThread  # noqa: E402
+from server.run import migrate  # noqa: E402
+from server.settings import Settings  # noqa: E402
+
+EXERCISE = "slider_crank"
+SEED = 7
+
+
+class NoGrading(JudgingThread):
+    """The no-op: a grade made beforehand, handed over without a thread."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        variant = deal(EXERCISE, SEED)
+        self._made = grading.grade(Submission(variant, grading.reference(variant)))
+
+    async def grade(self, submission: Submission, secret: bytes) -> Grade:
+        """Give the grade made beforehand."""
+        return self._made
+
+
+def serve(folder: str, port: int, graded: bool) -> None:
+    """Serve in this process."""
+    settings = Settings(Path(folder), port=port)
+    migrate(settings)
+    app = create_app(settings, judging=None if graded else NoGrading())
+    uvicorn.run(app, port=port, log_level="warning", access_log=False, server_header=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """A server under load: its port, the variant answered, the cookie that owns it."""
+
+    port: int
+    variant: str
+    cookie: str
+
+
+async def call(port: int, request: bytes) -> tuple[bytes, bytes]:
+    """Send one request on a connection of its own; gives head and body."""
+    reader, writer = await asyncio.open_connection("127.0.0.1", port)
+    writer.write(request)
+    answer = await receive(reader)
+    writer.close()
+    return answer
+
+
+async def receive(reader: asyncio.StreamReader) -> tuple[bytes, bytes]:
+    """Read one response."""
+    head = await reader.readuntil(b"\r\n\r\n")
+    length = next(line for line in head.lower().split(b"\r\n") if line.startswith(b"content-length:"))
+    return head, await reader.readexactly(int(length.partition(b":")[2]))
+
+
+def post(path: str, body: object, cookie: str = "") -> bytes:
+    """Write a request."""
+    content = json.dumps(body).encode()
+    head = f"POST {path} HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+    return f"{head}Content-Length: {len(content)}\r\nCookie: {cookie}\r\n\r\n".encode() + content
+
+
+async def prepare(port: int) -> Target:
+    """Wait for a server and take a variant."""
+    for _ in range(300):
+        try:
+            head, body = await call(port, post(f"/api/v1/exercises/{EXERCISE}/variants", {"seed": SEED}))
+        except OSError:
+            await asyncio.sleep(0.1)
+            continue
+        cookie = next(line for line in head.decode().split("\r\n") if line.lower().startswith("set-cookie:"))
+        return Target(port, json.loads(body)["id"], cookie.split(":", 1)[1].split(";")[0].strip())
+    raise SystemExit("the server does not start")
+
+
+async def load(target: Target, requests: int, clients: int) -> float:
+    """Hand in as fast as the server answers; gives submissions per second."""
+    answers = grading.reference(deal(EXERCISE, SEED))
+    request = post(f"/api/v1/variants/{target.variant}/submissions", {"answers": answers}, target.cookie)
+    started = time.perf_counter()
+    await asyncio.gather(*(one_client(target.port, request, requests // clients) for _ in range(clients)))
+    return requests // clients * clients / (time.perf_counter() - started)
+
+
+async def one_client(port: int, request: bytes, requests: int) -> None:
+    """One student's browser: one connection, one request after the other."""
+    reader, writer = await asyncio.open_connection("127.0.0.1", port)
+    for _ in range(requests):
+        writer.write(request)
+        head, body = await receive(reader)
+        if not head.startswith(b"HTTP/1.1 201"):
+            raise SystemExit(f"not acknowledged: {head!r} {body!r}")
+    writer.close()
+
+
+async def measure(ports: dict[str, int], rounds: int, requests: int, clients: int) -> dict[str, list[float]]:
+    """Load the servers in turn."""
+    targets = {name: await prepare(port) for name, port in ports.items()}
+    rates: dict[str, list[float]] = {name: [] for name in ports}
+    for _ in range(rounds + 1):
+        for name, target in targets.items():
+            rates[name].append(await load(target, requests, clients))
+    return {name: found[1:] for name, found in rates.items()}  # the first round warms up
+
+
+def free_port() -> int:
+    """Find a port that nobody listens at."""
+    with socket.socket() as found:
+        found.bind(("127.0.0.1", 0))
+        return int(found.getsockname()[1])
+
+
+def compare(rounds: int, requests: int, clients: int) -> None:
+    """Start both servers, load them in turn, print rates and ratio."""
+    ports = {"graded": free_port(), "no-op": free_port()}
+    with TemporaryDirectory() as graded, TemporaryDirectory() as plain:
+        folders = {"graded": graded, "no-op": plain}
+        commands = ([sys.executable, __file__, "--serve", name, folders[name], str(ports[name])] for name in ports)
+        servers = [subprocess.Popen(command) for command in commands]
+        try:
+            rates = asyncio.run(measure(ports, rounds, requests, clients))
+        finally:
+            for server in servers:
+                server.terminate()
+                server.wait()
+    for name, found in rates.items():
+        print(
+            f"{name}: {median(found):.0f} submissions/s ({min(found):.0f} to {max(found):.0f} in {len(found)} rounds)"
+        )
+    print(f"ratio {median(rates['graded']) / median(rates['no-op']):.2f}")
+
+
+def main() -> None:
+    """Read the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--requests", type=int, default=1500)
+    parser.add_argument("--clients", type=int, default=32)
+    parser.add_argument("--serve", nargs=3, metavar=("WHICH", "FOLDER", "PORT"))
+    given = parser.parse_args()
+    if given.serve:
+        serve(given.serve[1], int(given.serve[2]), given.serve[0] == "graded")
+    else:
+        compare(given.rounds, given.requests, given.clients)
+
+
+if __name__ == "__main__":
+    main()
