@@ -128,9 +128,10 @@ def solve(beam: Beam) -> BeamResult:
     require_stable(beam)
     stations = _stations(beam)
     stretches = _stretches(beam, stations)
-    states = sweep(stations, stretches)
-    pieces = _pieces(beam, stations, stretches, states)
-    return _result(beam, _reactions(beam, stations, stretches, states), pieces)
+    starts = sweep(stations, stretches)
+    ends = [carry(start, h, w, k) for start, (h, w, k) in zip(starts, stretches, strict=True)]
+    pieces = _pieces(beam, stations, stretches, starts)
+    return _result(beam, _reactions(beam, stations, starts, ends), pieces, ends)
 
 
 def _stations(beam: Beam) -> list[Station]:
@@ -181,30 +182,23 @@ def _pieces(beam: Beam, stations: list[Station], stretches: list[Stretch], state
     )
 
 
-def _reactions(
-    beam: Beam, stations: list[Station], stretches: list[Stretch], states: list[State]
-) -> tuple[Reaction, ...]:
+def _reactions(beam: Beam, stations: list[Station], starts: list[State], ends: list[State]) -> tuple[Reaction, ...]:
     """What is missing to the jumps of V and M at a support."""
-    before: State = (0.0, 0.0, 0.0, 0.0)
-    beyond: State = (0.0, 0.0, 0.0, 0.0)
+    outside: State = (0.0, 0.0, 0.0, 0.0)
     found = []
-    for index, station in enumerate(stations):
-        after = states[index] if index < len(states) else beyond
+    for station, before, after in zip(stations, [outside, *ends], [*starts, outside], strict=True):
         if station.held:
             moment = before[2] - after[2] - station.couple if station.fixed else 0.0
             found.append(Reaction(station.x, after[3] - before[3] - station.force, moment * beam.L))
-        if index < len(stretches):
-            before = carry(after, *stretches[index])
     return tuple(found)
 
 
-def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: tuple[Piece, ...]) -> BeamResult:
+def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: tuple[Piece, ...], ends: list[State]) -> BeamResult:
     found = _Extremes()
-    for piece in pieces:
-        _collect(piece, found)
-    last = pieces[-1]
+    for piece, end in zip(pieces, ends, strict=True):
+        _collect(piece, end, beam.L, found)
     found.x_v.append(beam.L)
-    found.v.append(last.deflection(last.x2 - last.x1))
+    found.v.append(pieces[-1].deflection(beam.L - pieces[-1].x1))
     x_M, M_far = _farthest(found.x_M, found.M)
     x_v, v_far = _farthest(found.x_v, found.v)
     V_far = max(max(found.V), -min(found.V))
@@ -248,20 +242,21 @@ class _Extremes:
     v: list[float] = field(default_factory=list)
 
 
-def _collect(piece: Piece, found: _Extremes) -> None:
+def _collect(piece: Piece, end: State, L: float, found: _Extremes) -> None:
     """Take V and M at both ends, v at the start, and each where its derivative changes sign inside.
 
-    V is monotone between the sign changes of w, M between those of V, theta between those of M.
+    V is monotone between the sign changes of w, M between those of V, theta between those of M; so without an inner
+    one of these the signs at the two ends tell whether there is a crossing to look for.
     """
     x1, x2, V, M, theta, v, w, k, EI = piece
+    _, end_theta, end_M, end_V = end
     h = x2 - x1
     peaks = crossings((w, k, 0.0, 0.0, 0.0), h) if k else ()
-    zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if w or k else ()
-    inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros)
-    turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
-    found.V += (V, piece.shear(h))
+    zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if peaks or (V < 0) != (end_V < 0) else ()
+    inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros) if zeros or (M < 0) != (end_M < 0) else ()
+    found.V += (V, end_V)
     found.x_M += (x1, x2)
-    found.M += (M, piece.moment(h))
+    found.M += (M, end_M * L)
     found.x_v.append(x1)
     found.v.append(v)
     if peaks:
@@ -269,7 +264,8 @@ def _collect(piece: Piece, found: _Extremes) -> None:
     if zeros:
         found.x_M[-1:-1] = [x1 + t for t in zeros]
         found.M[-1:-1] = [piece.moment(t) for t in zeros]
-    if turns:
+    if inflections or (theta < 0) != (end_theta < 0):
+        turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
         found.x_v += [x1 + t for t in turns]
         found.v += [piece.deflection(t) for t in turns]
 

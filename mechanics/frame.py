@@ -206,12 +206,12 @@ def solve_beam(beam: Beam) -> FrameBeam:
 
 
 def _mesh(beam: Beam) -> list[float]:
-    """Nodes: supports and hinges first, then what is not already beside a node."""
-    found = [support.x for support in beam.supports] + list(beam.hinges)
-    others = [0.0, beam.L]
+    """Nodes: supports first, then hinges, ends and loads that are not already beside a node."""
+    wanted = [*(support.x for support in beam.supports), *beam.hinges, 0.0, beam.L]
     for load in beam.loads:
-        others += [load.x1, load.x2] if isinstance(load, Distributed) else [load.x]
-    for x in others:
+        wanted += [load.x1, load.x2] if isinstance(load, Distributed) else [load.x]
+    found: list[float] = []
+    for x in wanted:
         if all(abs(x - known) > _CLOSE * beam.L for known in found):
             found.append(x)
     return sorted(found)

@@ -46,10 +46,12 @@ def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_
     t = left + (right - left) * (at_left / (at_left - at_right))
     size = max(abs(left), abs(right))
     narrow, short = _ROUNDING * size, _SHORT * size
-    for step in range(1, 800):
+    step = 0
+    while True:
+        step += 1
         residue = c0 + t * (c1 + t * (c2 + t * (c3 + t * c4)))
         if residue == 0 or right - left <= narrow:
-            break
+            return t
         if (residue < 0) == rising:
             left = t
         else:
@@ -59,5 +61,4 @@ def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_
         if step % 8 == 0 or not left < t < right:
             t = (left + right) / 2
         elif abs(t - last) <= short:
-            break
-    return t
+            return t

@@ -17,7 +17,6 @@ State = tuple[float, float, float, float]
 Stretch = tuple[float, float, float]
 
 DEFLECTION, SLOPE, MOMENT, SHEAR = range(4)
-_LOST = "the beam is too close to being unstable: a condition at a support, a hinge or the end is lost"
 # How the parameters before a condition follow from those after it: which one was settled (the second, if true),
 # settled = constant + factor * kept, kept before = (kept after - shift)/scale.
 _Settled = tuple[bool, float, float, float, float]
@@ -42,7 +41,7 @@ class Station:
         self.held, self.fixed, self.settlement = True, fixed, settlement
 
 
-def carry(state: State, h: float, w: float = 0.0, k: float = 0.0) -> State:
+def carry(state: State, h: float, w: float, k: float) -> State:
     """Integrate v' = theta, theta' = M, M' = V, V' = w + k t over a stretch h, exactly."""
     v, theta, M, V = state
     return (
@@ -60,11 +59,14 @@ def sweep(stations: list[Station], stretches: list[Stretch]) -> list[State]:
         SingularError: A condition cannot settle any parameter.
     """
     line = _Line()
-    for index, station in enumerate(stations):
-        _jump(line, station)
-        if index < len(stretches):
-            line.advance(*stretches[index])
-    return line.trace_back()
+    try:
+        for index, station in enumerate(stations):
+            _jump(line, station)
+            if index < len(stretches):
+                line.advance(*stretches[index])
+        return line.trace_back()
+    except ZeroDivisionError:
+        raise SingularError("a condition at a support, a hinge or the end of the beam settles nothing") from None
 
 
 def _jump(line: _Line, station: Station) -> None:
@@ -92,23 +94,19 @@ class _Line:
     def advance(self, h: float, w: float, k: float) -> None:
         self.starts.append((len(self.settled), self.base, self.first, self.second))
         self.base = carry(self.base, h, w, k)
-        self.first, self.second = carry(self.first, h), carry(self.second, h)
+        self.first, self.second = _drifted(self.first, h), _drifted(self.second, h)
 
     def impose(self, quantity: int, value: float, released: int) -> None:
         """Settle one parameter by state[quantity] = value; state[released] becomes a parameter in its place."""
         swapped = abs(self.first[quantity]) < abs(self.second[quantity])
         pivot, kept = (self.second, self.first) if swapped else (self.first, self.second)
         divisor = pivot[quantity]
-        if not divisor:
-            raise SingularError(_LOST)
         constant = (value - self.base[quantity]) / divisor
         factor = -kept[quantity] / divisor
         base, column = _added(self.base, constant, pivot), _added(kept, factor, pivot)
         base[quantity], column[quantity] = value, 0.0
         base[released] = column[released] = 0.0
         scale = max(column, key=abs)
-        if not scale:
-            raise SingularError(_LOST)
         shift = base[column.index(scale)]
         a, b, c, d = column
         kept = (a / scale, b / scale, c / scale, d / scale)
@@ -121,8 +119,6 @@ class _Line:
         """Solve V = 0 and M = 0 beyond the right end for the two parameters."""
         (_, _, M, V), (_, _, M1, V1), (_, _, M2, V2) = self.base, self.first, self.second
         determinant = M1 * V2 - M2 * V1
-        if not determinant:
-            raise SingularError(_LOST)
         return (M2 * V - M * V2) / determinant, (M * V1 - M1 * V) / determinant
 
     def trace_back(self) -> list[State]:
@@ -138,6 +134,12 @@ class _Line:
             found.append(_at(base, one, two, first, second))
         found.reverse()
         return found
+
+
+def _drifted(state: State, h: float) -> State:
+    """Carry an unloaded state."""
+    v, theta, M, V = state
+    return v + h * (theta + h * (M / 2 + h * V / 6)), theta + h * (M + h * V / 2), M + h * V, V
 
 
 def _added(state: State, factor: float, other: State) -> list[float]:
