@@ -12,7 +12,8 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
-WHOLE = re.compile(r"\s*(?:[^\W\d]\w{0,15}\s*=\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{1,9})?\s*")
+WHOLE = re.compile(r"\s*(?:(?:[^\W\d]\w{0,15}\s*)?[=≈]\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{0,9})?\s*")
+FULL_WIDTH = {0xFF10 + figure: str(figure) for figure in range(10)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,10 +25,10 @@ class Integer:
     kind: ClassVar[str] = "integer"
 
     def parse(self, text: str, symbols: Symbols) -> int:
-        """Read `12`, `-3`, `z3 = 45`; raises AnswerSyntaxError."""
+        """Read `12`, `-3`, `45,0`, `z3 = 45`; raises AnswerSyntaxError."""
         if not text.strip():
             raise AnswerSyntaxError(Reason.EMPTY, 0)
-        found = WHOLE.fullmatch(text) if len(text) <= 60 else None
+        found = WHOLE.fullmatch(text.translate(FULL_WIDTH)) if len(text) <= 60 else None
         if found is None or not found[2].isascii():
             raise AnswerSyntaxError(Reason.NOT_AN_INTEGER, 0, text.strip()[:20])
         return -int(found[2]) if found[1] in ("-", "−", "–") else int(found[2])

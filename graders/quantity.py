@@ -23,6 +23,7 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 GREATEST = 1e99
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?\d{1,30}(?:[.,]\d{1,30})?(?:[eE][-+]?\d{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
+THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 NOTHING = Symbols(())
 
 
@@ -61,6 +62,7 @@ class Quantity:
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
         expected = read_unit(self.unit)
+        text = THOUSANDS.sub(_joined, text)
         tree, number, rest, at = _plain_number(text) or _read_number(text)
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
@@ -169,6 +171,11 @@ def _plain_number(text: str) -> tuple[Tree, float, str, int] | None:
     return (Unary("-", tree) if literal[0] == "-" else tree), number, text[found.end() :], found.end()
 
 
+def _joined(grouped: re.Match[str]) -> str:
+    """Close the gaps between thousands; the places of what follows stay as typed."""
+    return re.sub(r"\D", "", grouped[0]).rjust(len(grouped[0]))
+
+
 def _is_unit(text: str) -> bool:
     try:
         return not text or bool(read_unit(text))
@@ -180,9 +187,10 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     """Split a text into a constant expression and the unit behind it: tree, number, unit text and its place."""
     tokens = tokenize(text)
     start = 0
-    if len(tokens) > 2 and tokens[0].kind == "name" and tokens[1].kind == "=":  # `R_A = 12 kN`
-        start = tokens[2].position
-        tokens = tokens[2:]
+    front = [token.kind for token in tokens[:2]]
+    if "=" in front and front[0] in ("name", "="):  # `R_A = 12 kN`, `= 12 kN`
+        start = tokens[front.index("=") + 1].position
+        tokens = tokens[front.index("=") + 1 :]
     cut = _unit_starts(tokens, len(text))
     number_text = text[start:cut]
     if not number_text.strip():

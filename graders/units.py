@@ -132,10 +132,10 @@ class _UnitReader:
         unit, divide = self.power(), False
         while self.kind not in ("end", "bad") and self.piece != ")":
             divide = False
-            if self.piece in ("*", ".", "/"):
-                divide = self.piece == "/"
+            if self.piece in ("*", ".", "/", "-"):  # also kN-m
+                divide, stop = self.piece == "/", self.piece == "."
                 self.step()
-                if not divide and (self.kind == "end" or self.piece == "/"):  # a full stop after an abbreviation
+                if stop and (self.kind == "end" or self.piece == "/"):  # a full stop after an abbreviation
                     continue
             unit = _times(unit, self.power(), -1 if divide else 1)
         return unit
@@ -152,6 +152,8 @@ class _UnitReader:
             power = int("".join(SUPERSCRIPTS[c] for c in self.piece[:3]))
             self.step()
             return power
+        if self.piece == "-" and self.text[self.place : self.place + 1].isdigit():  # s-1
+            return self.exponent()
         if self.kind == "number" and self.piece in ("2", "3", "4") and self.text[self.start - 1] != " ":
             return self.exponent()
         return 1

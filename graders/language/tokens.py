@@ -16,9 +16,10 @@ MAX_EXPONENT = 999  # of a power of ten in a literal
 SAME = {
     "·": "*", "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "∗": "*", "−": "-", "–": "-", "—": "-", "‐": "-",
     "‑": "-", "÷": "/", "∕": "/", "⁄": "/", ":": "/", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">=", "’": "'", "′": "'",
-    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "⟨": "<", "⟩": ">",
+    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "⟨": "<", "⟩": ">",
 }  # fmt: skip
 SPACES = " \t\r\n\u00a0\u2009\u202f\u2002\u2003\u2007"
+POWER_OF_TEN = str.maketrans("еЕ", "eE")  # the Cyrillic letter in 1,2е4
 LETTER = r"[^\W\d_²³¹⁰ⁱ-₉ₐ-ₜªº]"  # a letter of any script; digits and raised or lowered figures are not letters
 TOKEN = re.compile(
     rf"(?P<number>(?:\d+(?:[.,]\d+)?|\.\d+))"
@@ -105,7 +106,7 @@ def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> 
         return Token("number", digits[:comma], place)
     end = place + len(digits)
     power = end
-    if power < len(plain) and plain[power] in "eE":
+    if power < len(plain) and plain[power] in "eEеЕ":
         power += 1
         if power < len(plain) and plain[power] in "+-":
             power += 1
@@ -115,7 +116,7 @@ def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> 
         end = power if power > start else end
     if len(digits) > MAX_DIGITS:
         raise AnswerSyntaxError(Reason.TOO_LARGE, place, digits[:12] + "…")
-    return Token("number", plain[place:end], place)
+    return Token("number", plain[place:end].translate(POWER_OF_TEN), place)
 
 
 def _canonical(token: Token) -> Token:
