@@ -76,7 +76,9 @@ def domains(givens: Any) -> dict[str, Domain]:
 
 
 def each(givens: Any, line: Callable[[Any], str], x: str = "x") -> list[str]:
-    """Write one line for each member of a drawn list, `{i}` replaced by its index and `{x}` by a place.
+    """Write one line for each member of a drawn list.
+
+    In it `{i}` stands for the member's index, `{i-1}` for the one before, `{x}` for a place.
 
     Args:
         givens: The givens (their drawn lists are taken in order), or one drawn list.
@@ -93,7 +95,7 @@ def each(givens: Any, line: Callable[[Any], str], x: str = "x") -> list[str]:
 
 
 def _filled(text: str, index: int, x: str) -> str:
-    return text.replace("{i}", str(index)).replace("{x}", x)
+    return text.replace("{i}", str(index)).replace("{i-1}", str(index - 1)).replace("{x}", x)
 
 
 def dump(givens: Any) -> dict[str, Json]:

@@ -135,6 +135,7 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
     for name, line in solved.steps.items():
         tree = parse_line(line) if isinstance(line, str) else None
         value = _shown(solved.values[name], units.get(name, _unit_of(name, words)), lang)
+        value = plain(words.get("choices", {}).get(name, {}).get(value, value))
         formula = mathml_of(tree, lang != "en") if tree else ""
         heading = inline(indexed(words["steps"], name))
         lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))

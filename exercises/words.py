@@ -25,6 +25,7 @@ PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
 MATHS = re.compile(r"\$([^$]*)\$")
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
 PRINTED: dict[str, str | dict[str, str]] = {
+    "1": "",
     "deg": "°",
     "deg/m": "°/m",
     "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"},
@@ -65,7 +66,7 @@ def printed_unit(unit: str, lang: str) -> str:
 def with_unit(number: str, unit: str, lang: str) -> str:
     """Join a number and its unit; a degree sign follows without a space."""
     shown = printed_unit(unit, lang)
-    return number + (shown if shown == "°" else NARROW + shown if shown not in ("", "1") else "")
+    return number + (shown if shown == "°" else NARROW + shown if shown else "")
 
 
 def fill(text: str, givens: Any, words: Words, lang: str, seen: list[Printed] | None = None) -> str:
@@ -93,11 +94,12 @@ def fill(text: str, givens: Any, words: Words, lang: str, seen: list[Printed] | 
 
 
 def _listed(name: str, members: tuple[Any, ...], words: Words, lang: str, seen: list[Printed] | None) -> str:
-    """Word a drawn list, one line a member, under the class of the member."""
+    """Word a drawn list, one line a member, under the class of the member; `{i}` and `{i-1}` are indices."""
     lines = []
     for index, member in enumerate(members, 1):
         noted: list[Printed] = []
-        text = str(words[name][type(member).__name__]).replace("{i}", f"{{{index}}}")
+        text = str(words[name][type(member).__name__])
+        text = text.replace("{i}", f"{{{index}}}").replace("{i-1}", f"{{{index - 1}}}")
         lines.append("- " + " ".join(fill(text, member, words, lang, noted).split()))
         if seen is not None:
             seen.extend(Printed(f"{p.name}{index}", p.number, p.unit) for p in noted)
