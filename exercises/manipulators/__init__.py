@@ -1,0 +1,1 @@
+"""Manipulators: Denavit-Hartenberg matrices, position and motion of open chains."""

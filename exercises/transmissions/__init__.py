@@ -1,0 +1,1 @@
+"""Transmissions: gear trains on fixed and on moving axes."""
