@@ -70,7 +70,7 @@ def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
 
 
 def degenerate(givens: Givens) -> bool:
-    """Tell whether an overhang is idle, a reaction or the deflection small, or the extreme of M not one clear place."""
+    """Tell whether an overhang is idle, q or a reaction or the deflection small, or the extreme of M not one place."""
     solved, (A, B) = beam.solve(structure(givens)), places(givens)
     ends = [x for load in givens.loads for x in (load.a, getattr(load, "c", load.a))]
     reactions = [reaction.Fy for reaction in solved.reactions]
@@ -79,6 +79,7 @@ def degenerate(givens: Givens) -> bool:
     return (
         0 < A < min(ends)
         or max(ends) < B < givens.L
+        or any(load.c - load.a < givens.L / 6 for load in givens.loads if isinstance(load, kinds.Uniform))
         or min(map(abs, reactions)) < 0.1 * solved.V_abs_max
         or len(near) != 1
         or any(load.a in near for load in givens.loads if isinstance(load, kinds.Couple))

@@ -18,18 +18,22 @@ Jump: TypeAlias = tuple[float, float, float, float]  # place (m), jump of V (N),
 def extremes(
     supports: Sequence[float], reactions: Sequence[float], loads: Iterable[members.Load]
 ) -> list[tuple[float, float]]:
-    """Give the places (m) where V changes sign or M jumps, with M there (N m); at a couple M before and behind it."""
+    """Give the places (m) where V changes sign or M jumps, with M there (N m); at a couple M before and behind it.
+
+    Where V begins and ends it does not change sign, whatever the rounding of the reactions leaves of it.
+    """
     held = [(at, R, 0.0, 0.0) for at, R in zip(supports, reactions, strict=True)]
+    jumps = sorted([*held, *_jumps(loads)])
     found: list[tuple[float, float]] = []
     x = V = M = w = 0.0
-    for place, force, couple, load in sorted([*held, *_jumps(loads)]):
+    for place, force, couple, load in jumps:
         if w and 0 < -V / w <= place - x:
             found.append((x - V / w, M - V * V / (2 * w)))
         M += (V + w * (place - x) / 2) * (place - x)
         V += w * (place - x)
         if couple:
             found += [(place, M), (place, M + couple)]
-        elif force and V * (V + force) <= 0:
+        elif V * (V + force) < 0 and place < jumps[-1][0]:
             found.append((place, M))
         x, V, M, w = place, V + force, M + couple, w + load
     return found
