@@ -271,7 +271,17 @@ class _Parser:
             return Name("pi")
         if token.text in ("deg", "grad", "град", "st"):  # never declared here, so it is the unit of an angle
             raise self.error(Reason.UNKNOWN_NAME, token, "°")
-        raise self.unknown(token)
+        return self.named(self.cut(token))
+
+    def cut(self, token: Token) -> Token:
+        """Put the parts of a run in its place and give the first of them; raises where it cannot be cut."""
+        parts = self.symbols.parts(token.text) if self.symbols else []
+        if not parts:
+            raise self.unknown(token)
+        places = [token.position + len("".join(parts[:i])) for i in range(len(parts))]
+        cut = [Token("name", part, place) for part, place in zip(parts, places, strict=True)]
+        self.tokens[self.at - 1 : self.at] = cut
+        return cut[0]
 
     def symbol(self, spelling: str) -> str | None:
         if self.symbols is None:

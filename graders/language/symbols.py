@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterable
 from functools import lru_cache
@@ -13,6 +14,13 @@ GREEK = {
     "ω": "omega", "Γ": "Gamma", "Δ": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma",
     "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega", "\u2126": "Omega", "\u2206": "Delta",
 }  # fmt: skip
+LETTERS = {  # the letters' names in Polish and Russian, where they differ from the English ones
+    "alfa": "alpha", "teta": "theta", "ksi": "xi", "ro": "rho", "fi": "phi", "mi": "mu", "ni": "nu", "альфа": "alpha",
+    "бета": "beta", "гамма": "gamma", "дельта": "delta", "эпсилон": "epsilon", "эта": "eta", "тета": "theta",
+    "лямбда": "lambda", "мю": "mu", "ню": "nu", "кси": "xi", "ро": "rho", "сигма": "sigma", "тау": "tau", "фи": "phi",
+    "пси": "psi", "омега": "omega",
+}  # fmt: skip
+BORDER = re.compile(r"(?<=[\d₀-₉])(?=[^\W\d_₀-₉])|(?<=[A-Za-z])(?=[α-ωΑ-Ω])|(?<=[α-ωΑ-Ω])(?=[A-Za-z])")
 SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
 SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
 LOOK_ALIKES = dict(zip("АВЕКМНОРСТХаеорсухіѕј", "ABEKMHOPCTXaeopcyxisj", strict=True))  # Cyrillic to Latin
@@ -44,6 +52,11 @@ def key(spelling: str) -> str:
     return unicodedata.normalize("NFC", letters.replace("_", "").replace("′", "'"))
 
 
+def _lettered(spelling: str) -> str:
+    stem = spelling.rstrip("_0123456789₀₁₂₃₄₅₆₇₈₉'")
+    return key(LETTERS.get(stem, stem) + spelling[len(stem) :])
+
+
 def latin(spelling: str) -> str:
     """Replace Cyrillic look-alikes by the Latin letters they look like."""
     return "".join(LOOK_ALIKES.get(c, c) for c in spelling)
@@ -71,7 +84,16 @@ class Symbols:
 
     def find(self, spelling: str) -> str | None:
         """Give the declared symbol that a spelling means, look-alike letters mapped, or None."""
-        return self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
+        found = self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
+        return found or self._by_key.get(_lettered(spelling))
+
+    def parts(self, spelling: str) -> list[str]:
+        """Cut a run at its visible borders, behind a figure and between alphabets (`l1ω1`, `cosα1`).
+
+        Empty unless every part is a declared name or a function.
+        """
+        parts = BORDER.split(spelling)
+        return parts if len(parts) > 1 and all(self.find(p) or function_named(p) for p in parts) else []
 
     def split(self, spelling: str) -> list[str]:
         """Cut a run of letters into declared names and functions, fewest pieces first; empty if it cannot be cut."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from graders import AnswerSyntaxError, Choice, Integer, Quantity, Symbols
+from graders.language import parse
 
 NOTHING = Symbols(())
 
@@ -75,3 +76,30 @@ def test_a_whole_number_is_read_as_it_is_meant(typed: str) -> None:
 @pytest.mark.parametrize("typed", ["(b)", "B.", "sense = b", "sense = stiffness", "в".upper()])
 def test_an_option_is_read_as_it_is_meant(typed: str) -> None:
     assert Choice(("strength", "stiffness")).parse(typed, NOTHING) == "stiffness"
+
+
+FORMULA = Symbols(["l1", "l2", "alpha1", "omega1", "a", "x"])
+
+
+@pytest.mark.parametrize(
+    ("typed", "plain"),
+    [
+        ("l1ω1", "l1 omega1"),
+        ("l₁ω₁cosα₁", "l1 omega1 cos(alpha1)"),
+        ("cosα1", "cos(alpha1)"),
+        ("sinα1cosα1", "sin(alpha1) cos(alpha1)"),
+        ("2l1l2^2", "2 l1 l2^2"),
+        ("l1cos(α1)", "l1 cos(alpha1)"),
+        ("sin(alfa1)*омега1", "sin(alpha1)*omega1"),
+        ("альфа_1", "alpha1"),
+    ],
+)
+def test_a_run_of_names_is_cut_at_its_visible_borders(typed: str, plain: str) -> None:
+    assert parse(typed, FORMULA) == parse(plain, FORMULA)
+
+
+@pytest.mark.parametrize(("typed", "place"), [("1 + ax", 4), ("l12", 0), ("l1b2", 0), ("sinα1l1", 5), ("1/l1ω1", 4)])
+def test_a_run_without_visible_borders_is_asked_about(typed: str, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(typed, FORMULA)
+    assert refused.value.position == place
