@@ -25,17 +25,19 @@ COMMANDS = {
 }
 
 
-def parser(commands: Iterable[str] = COMMANDS) -> ArgumentParser:
+def parser(commands: Iterable[str] = COMMANDS, *, named_only: bool = False) -> ArgumentParser:
     """Make the parser of the command line.
 
     Args:
-        commands: The subcommands whose modules are imported for their arguments; the others are only named.
+        commands: The subcommands it knows.
+        named_only: Name them without their arguments, so that none of their modules is imported.
     """
     made = ArgumentParser(prog="grubler", description="An autograded laboratory for theory of machines.")
     subparsers = made.add_subparsers(title="commands", metavar="COMMAND", dest="command", required=True)
-    for name, summary in COMMANDS.items():
+    for name in commands:
+        summary = COMMANDS[name]
         below = subparsers.add_parser(name, help=summary, description=f"{summary[0].upper()}{summary[1:]}.")
-        if name in commands:
+        if not named_only:
             module = import_module(f"cli.{name}")
             module.arguments(below)
             below.set_defaults(run=module.run)
@@ -53,7 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     _speak_utf8()
     given = list(sys.argv[1:] if arguments is None else arguments)
-    options = parser(given[:1]).parse_args(given)
+    known = given[:1] if given and given[0] in COMMANDS else list(COMMANDS)
+    options = parser(known, named_only=known != given[:1]).parse_args(given)
     try:
         return _run(options)
     except BrokenPipeError:  # the reader of our output has gone, as in `grubler catalogue | head -1`
