@@ -24,6 +24,7 @@ GREATEST = 1e99
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?\d{1,30}(?:[.,]\d{1,30})?(?:[eE][-+]?\d{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
+TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
 
 
@@ -62,7 +63,7 @@ class Quantity:
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
         expected = read_unit(self.unit)
-        text = THOUSANDS.sub(_joined, text)
+        text = TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text))
         tree, number, rest, at = _plain_number(text) or _read_number(text)
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
