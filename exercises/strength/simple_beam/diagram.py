@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import nan
 from typing import TYPE_CHECKING, TypeAlias
 
 from exercises.strength.simple_beam.loads import places, structure
@@ -51,6 +50,6 @@ def _jumps(loads: Iterable[members.Load]) -> Iterator[Jump]:
 
 
 def extreme_place(givens: Givens, R_A: float, R_B: float) -> float:
-    """Give the place of the largest |M|, in metres; not a number where V never changes sign."""
+    """Give the place of the largest |M|, in metres; where wrong reactions let V keep its sign, the right end."""
     found = extremes(places(givens), (R_A, R_B), structure(givens).loads)
-    return max(found, key=lambda one: abs(one[1]), default=(nan, 0.0))[0]
+    return max(found, key=lambda one: abs(one[1]), default=(givens.L, 0.0))[0]
