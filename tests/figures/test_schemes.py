@@ -82,7 +82,7 @@ def trains(draw_: st.DrawFn) -> list[Mesh]:
         first = before if idle or not meshes else Wheel(f"z{number}'", draw_(st.integers(15, 90)))
         kind = draw_(st.sampled_from(("external", "internal")))
         low = first.size + 1 if kind == "internal" and idle else 15
-        size = draw_(st.integers(int(low), 200))
+        size = draw_(st.integers(int(low), int(low) + 120))
         second = Wheel(f"z{number + 1}", size + (size == first.size))
         meshes.append(Mesh(first, second, "internal" if kind == "internal" else "external"))
         number, before, ring = number + 1, second, kind == "internal" and second.size > first.size
