@@ -52,10 +52,14 @@ def latex_of(tree: Tree) -> str:
 
 def _name(name: str) -> str:
     letter, below, dots, primes = split_symbol(name)
-    word = GREEK.get(letter)
-    core = f"\\{word}" if word else letter if len(letter) == 1 else rf"\mathit{{{letter}}}"
+    core = _letter(letter) if len(letter) == 1 else rf"\mathit{{{letter}}}"
     core = {0: core, 1: rf"\dot{{{core}}}", 2: rf"\ddot{{{core}}}"}[dots]
-    return (f"{core}_{{{below}}}" if below else core) + primes
+    return (f"{core}_{{{_letter(below)}}}" if below else core) + primes
+
+
+def _letter(letter: str) -> str:
+    word = GREEK.get(letter)
+    return f"\\{word}" if word else letter
 
 
 def _fenced(tree: Tree, least: int) -> str:

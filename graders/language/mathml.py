@@ -37,7 +37,7 @@ def split_symbol(name: str) -> tuple[str, str, int, str]:
         below = stem[len(head) :]
         if head and head[:-1] in LETTERS and head not in LETTERS and head[-1] == "p":
             head = head[:-1]
-    return LETTERS.get(head, head), below, dots, primes
+    return LETTERS.get(head, head), LETTERS.get(below, below), dots, primes
 
 
 def _name(name: str) -> str:

@@ -160,6 +160,7 @@ def test_symbols_that_cannot_be_told_apart_are_refused() -> None:
         ("alpha1", "<msub><mi>α</mi><mn>1</mn></msub>"),
         ("R_A", "<msub><mi>R</mi><mi>A</mi></msub>"),
         ("x", "<mi>x</mi>"),
+        ("d_tau", "<msub><mi>d</mi><mi>τ</mi></msub>"),
     ],
 )
 def test_symbols_are_shown_with_subscripts_and_greek_letters(name: str, shown: str) -> None:
