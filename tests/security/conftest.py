@@ -1,0 +1,47 @@
+"""One variant to attack, the time an attack takes, and a server of its own."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from starlette.testclient import TestClient
+
+from exercises.exercise import Submission
+from exercises.grading import grade
+from exercises.variants import deal
+from graders import Verdict
+from server.app import create_app
+from server.migrate import migrate
+from server.settings import Settings
+
+Attack = Callable[..., Verdict]
+VARIANT = deal("slider_crank", 7)
+SECRET = b"only the server knows it"
+LONGEST = 0.5  # s of computing an attack may cost; ten times the promise, for a machine that does other work as well
+
+
+@pytest.fixture
+def attack() -> Attack:
+    """Hand in one text for one answer; gives its verdict, and fails when it costs too much."""
+
+    def handed_in(text: str, answer: str = "omega2_formula") -> Verdict:
+        start = time.process_time()
+        verdict = grade(Submission(VARIANT, {answer: text}), SECRET).verdicts[answer]
+        assert time.process_time() - start < LONGEST
+        return verdict
+
+    return handed_in
+
+
+@pytest.fixture
+def client(tmp_path: Path) -> Iterator[TestClient]:
+    """A client of a server in this process that knows one variant."""
+    settings = Settings(tmp_path, secret=SECRET)
+    migrate(settings.store_url)
+    with TestClient(create_app(settings), raise_server_exceptions=False) as found:
+        reply = found.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7})
+        found.headers["x-variant"] = reply.json()["id"]
+        yield found

@@ -1,0 +1,37 @@
+"""A9: an empty answer, a missing part and what holds nothing never earn anything."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises import catalogue
+from exercises.exercise import Submission
+from exercises.grading import grade
+from exercises.variants import deal
+from graders import Code
+
+EMPTY = ["", " ", "\t\n", "\u00a0", "\u2009\u202f"]
+HOLLOW = ["=", "l3 =", "[]", "[[]]", "()", "<>", "||", ",", ".", ";", "-", "°", "mm", "[mm]", "[[];[]]", "0*", "''"]
+
+
+@pytest.mark.parametrize("exercise", catalogue.ids())
+@pytest.mark.parametrize("text", [*EMPTY, *HOLLOW])
+def test_nothing_earns_nothing(exercise: str, text: str) -> None:
+    variant = deal(exercise, 7)
+    names = grade(Submission(variant, {})).verdicts
+    graded = grade(Submission(variant, dict.fromkeys(names, text)))
+    assert graded.score == 0 and graded.mistake is None and not graded.counted
+    expected = Code.EMPTY if text in EMPTY else Code.UNREADABLE
+    assert {verdict.code for verdict in graded.verdicts.values()} == {expected}
+
+
+@pytest.mark.parametrize("exercise", catalogue.ids())
+def test_missing_answers_are_empty_and_earn_nothing(exercise: str) -> None:
+    graded = grade(Submission(deal(exercise, 7), {}))
+    assert graded.score == 0 and not graded.counted and not graded.provisional
+    assert {verdict.code for verdict in graded.verdicts.values()} == {Code.EMPTY}
+
+
+def test_one_right_answer_earns_its_share_only() -> None:
+    graded = grade(Submission(deal("slider_crank", 7), {"omega2_formula": "-l1*omega1*cos(alpha1)/(l2*cos(alpha2))"}))
+    assert graded.score == pytest.approx(0.2)
