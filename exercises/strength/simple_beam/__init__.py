@@ -6,6 +6,7 @@ x from the left end, reactions and deflection positive up, sagging moment positi
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, each, given
 from exercises.strength.simple_beam import lines
@@ -70,17 +71,19 @@ def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
 
 
 def degenerate(givens: Givens) -> bool:
-    """Tell whether an overhang is idle, q or a reaction or the deflection small, or the extreme of M not one place."""
+    """Tell whether an overhang is idle, q, a reaction, V or the deflection small, or the extreme of M not one place."""
     solved, (A, B) = beam.solve(structure(givens)), places(givens)
     ends = [x for load in givens.loads for x in (load.a, getattr(load, "c", load.a))]
     reactions = [reaction.Fy for reaction in solved.reactions]
+    between = sorted({A, B, *(x for x in ends if A < x < B)})
     found = extremes((A, B), reactions, structure(givens).loads)
     near = {x for x, M in found if abs(M) > 0.95 * solved.M_abs_max}
     return (
         0 < A < min(ends)
         or max(ends) < B < givens.L
         or any(load.c - load.a < givens.L / 6 for load in givens.loads if isinstance(load, kinds.Uniform))
-        or min(map(abs, reactions)) < 0.1 * solved.V_abs_max
+        or min(map(abs, reactions)) < max(600, 0.1 * solved.V_abs_max)
+        or any(abs(solved.at((x1 + x2) / 2).V) < 0.02 * solved.V_abs_max for x1, x2 in pairwise(between))
         or len(near) != 1
         or any(load.a in near for load in givens.loads if isinstance(load, kinds.Couple))
         or abs(solved.at(givens.x_K).v) < max(5e-4, 0.3 * abs(solved.v_extreme))
