@@ -1,8 +1,8 @@
 """What the checks of `.ci/` ask a running server or an image; needs nothing but Python's own library.
 
-    probe.py get URL         does it answer?
-    probe.py practise URL    catalogue, a variant, a submission, its grade
-    probe.py image < JSON    the promises of an image, from `buildah inspect`
+probe.py get URL         does it answer?
+probe.py practise URL    catalogue, a variant, a submission, its grade
+probe.py image < JSON    the promises of an image, from `buildah inspect`
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -170,8 +170,17 @@ class Solved:
             if defined(point):
                 points.append(point)
             if len(points) == POINTS:
-                return States(names, tuple(points), lines)
+                ends = _ends(points, tuple(ranges.values()))
+                return States(names, (*points, *filter(defined, ends)), lines)
         raise UndefinedError(f"{self.variant.exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
+
+
+def _ends(points: list[tuple[float, ...]], ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:
+    """Move each symbol in turn to both ends of its range: a bracket may open only there."""
+    for at, domain in enumerate(ranges):
+        step = 0.0 if domain.integer else (domain.high - domain.low) * 1e-6
+        for end, point in ((domain.low + step, points[at % POINTS]), (domain.high - step, points[-1 - at % POINTS])):
+            yield (*point[:at], end, *point[at + 1 :])
 
 
 def _inside(rng: Draw, domain: Domain, turn: int) -> float:

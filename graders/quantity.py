@@ -22,7 +22,7 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
-PLAIN = re.compile(r"[-−]?\d{1,30}(?:[.,]\d{1,30})?(?:[eE][-+]?\d{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
+PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
@@ -68,8 +68,8 @@ class Quantity:
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
         if unit is None and (isinstance(tree, Angle) or any(isinstance(n, Angle) or _arc(n) for n in walk(tree))):
-            return Amount(tree, number, read_unit("rad"), "", _bounded(number))
-        return Amount(tree, number, unit, unit_text, _bounded(number * (unit or expected).factor))
+            return Amount(tree, number, read_unit("rad"), "", _bounded(number, number))
+        return Amount(tree, number, unit, unit_text, _bounded(number, number * (unit or expected).factor))
 
     def check(self, answer: Amount, reference: float) -> Verdict:
         """Judge value and unit apart; tell the opposite sign and a factor of ten from other errors."""
@@ -137,8 +137,8 @@ class Quantity:
         return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
 
 
-def _bounded(value: float) -> float:
-    if not math.isfinite(value) or abs(value) > GREATEST:
+def _bounded(number: float, value: float) -> float:
+    if not max(abs(number), abs(value)) < GREATEST:
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0)
     return value
 

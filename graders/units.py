@@ -185,7 +185,9 @@ class _UnitReader:
             self.depth -= 1
             return NONE, unit
         found = _named(self.piece) or _named(self.piece.translate(TO_CYRILLIC))
-        if found is None or self.kind not in ("name", "number"):
+        after = self.text[self.place :].lstrip()
+        alone = self.kind == "number" and after[:1] != "/" and self.text.strip() != "1"  # 1/s, never kN * 1
+        if found is None or alone or self.kind not in ("name", "number"):
             raise self.error()
         self.step()
         return found

@@ -112,7 +112,7 @@ class _Parser:
 
     def refuse_doubt(self, tree: Tree, divided: Tree | None, token: Token) -> None:
         """`a/2b` may be (a/2)b or a/(2b): ask, unless a plain fraction of numbers stands in front."""
-        if token.kind == "number" and isinstance(_last(tree), Number):
+        if token.kind == "number":  # a b, 2 b and (a) (b) are products; a figure behind something is asked about
             raise self.error(Reason.EXTRA_TEXT, token)
         plain = isinstance(tree, Binary) and isinstance(tree.left, Number) and isinstance(tree.right, Number)
         if divided is not None and not plain and not isinstance(divided, Grid):
@@ -350,9 +350,3 @@ class _Parser:
         if following.kind in ("number", "name", "√") and not function_named(following.text):
             raise self.error(Reason.AMBIGUOUS_ARGUMENT, following)
         return tree
-
-
-def _last(tree: Tree) -> Tree:
-    while isinstance(tree, Binary) and tree.operator in ("*", "/"):
-        tree = tree.right
-    return tree

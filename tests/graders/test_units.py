@@ -146,7 +146,9 @@ def test_spellings_of_one_unit_are_one_unit(typed: str, plain: str) -> None:
 
 def test_the_table_reads_three_hundred_spellings() -> None:
     joined = [f"{a}/{b}" for a in ("m", "mm", "kN", "N", "rad", "м") for b in ("s", "m", "mm", "мин", "min")]
-    readable = [text for text in (*TABLE, *joined, *(f"{t}^2" for t in TABLE)) if read_unit(text).factor > 0]
+    readable = [
+        text for text in (*TABLE, *joined, *(f"{t}^2" for t in TABLE if t != "1")) if read_unit(text).factor > 0
+    ]
     assert len(set(readable)) >= 300
 
 

@@ -12,11 +12,12 @@ from graders.verdict import Reading
 from tests.security.conftest import Attack
 
 CODE = [
-    ("__import__('os')", 0), ("l1.__class__", 2), ("().__class__.__bases__[0]", 1), ("lambda: l1", 0),
-    ("[x for x in l1]", 1), ("f'{l1}'", 0), ("{l1}", 0), ("eval(l1)", 0), ("exec('1')", 0), ("import os", 0),
-    ("l1; import os", 2), ("l1 if l1 else l2", 3), ("(l1 := 2)", 4), ("@l1", 0), ("`ls`", 0), ("$(ls)", 0),
+    ("__import__('os')", 0), ("l1.__class__", 2), ("().__class__.__bases__[0]", 2), ("lambda: l1", 0),
+    ("[x for x in l1]", 1), ("f'{l1}'", 2), ("{l1}", 0), ("eval(l1)", 0), ("exec('1')", 0), ("import os", 0),
+    ("l1; import os", 2), ("l1 if l1 else l2", 3), ("(l1 := 2)", 5), ("@l1", 0), ("`ls`", 0), ("$(ls)", 0),
     ("{{7*7}}", 0), ("${7*7}", 0), ("<%= 7 %>", 1), ("l1\\n", 2), ("open('/etc/passwd')", 0), ("l1 # l2", 3),
-    ("getattr(l1; 'x')", 0), ("l1[0]", 3), ("sys.exit()", 0), ("_", 0), ("os.system('ls')", 0), ("'ls'", 0), ("l1~l2", 2),
+    ("getattr(l1; 'x')", 0), ("l1[0]", 3), ("sys.exit()", 3), ("_", 0), ("os.system('ls')", 2), ("'ls'", 0),
+    ("l1~l2", 2),
     ("l1 and l2", 3), ("not l1", 0), ("True", 0), ("None", 0), ("print(l1)", 0), ("globals()", 0), ("l1?l2", 2),
     ("sin.__globals__", 3), ("\\frac{l1}{l2}", 0), ("<script>alert(1)</script>", 1), ("' OR 1=1 --", 0),
 ]  # fmt: skip
