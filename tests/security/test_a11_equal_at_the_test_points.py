@@ -8,7 +8,7 @@ import pytest
 
 from exercises import catalogue
 from exercises.solving import NO_SECRET, Solved
-from graders import Code, Expression
+from graders import Code, Expression, Formula
 from graders.language import parse
 from tests.security.conftest import SECRET, VARIANT, Attack
 
@@ -18,8 +18,9 @@ RIGHT = "-l1*omega1*cos(alpha1)/(l2*cos(alpha2))"
 def judged(text: str, secret: bytes) -> Code:
     solved = Solved(catalogue.load("slider_crank").exercise, VARIANT, secret)
     symbols = solved.symbols("omega2_formula")
-    code: Code = Expression("omega2").check(parse(text, symbols), solved.reference("omega2_formula")).code
-    return code
+    reference = solved.reference("omega2_formula")
+    assert isinstance(reference, Formula)
+    return Expression("omega2").check(parse(text, symbols), reference).code
 
 
 def forged(secret: bytes) -> str:
