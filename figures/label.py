@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 from typing import Literal
-from xml.sax.saxutils import escape
 
 from figures.plane import Box, Point
 
@@ -21,7 +21,7 @@ _WIDE = frozenset("mwMWØΩω%@ЖШЩ")
 def escaped(text: str) -> str:
     """The text fit for XML: markup escaped, characters that XML cannot hold replaced."""
     held = "".join(c if c >= " " and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff" else " " for c in text)
-    return escape(held, {'"': "&quot;"})
+    return escape(held)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from xml.sax.saxutils import escape
+from html import escape
 
 from graders.language.symbols import GREEK
 from graders.language.text import ATOM, level
