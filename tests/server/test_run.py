@@ -17,7 +17,7 @@ from server.policy import Role
 from server.settings import Settings, SettingsError
 from tests.server.conftest import Live
 
-CYCLES = 3
+CYCLES = 2
 EACH = 5
 
 
@@ -32,12 +32,12 @@ def call(server: Live, method: str, path: str, body: Any = None, **headers: str)
     return answered
 
 
-def test_a_task_is_dealt_answered_and_graded_over_a_socket(live: Live) -> None:
-    status, variant, headers = call(live, "POST", "/api/v1/exercises/slider_crank/variants", {"seed": 7})
+def test_a_task_is_dealt_answered_and_graded_over_a_socket(site: Live) -> None:
+    status, variant, headers = call(site, "POST", "/api/v1/exercises/slider_crank/variants", {"seed": 7})
     assert status == 201
     cookie = headers["set-cookie"].split(";")[0]
     path = f"/api/v1/variants/{variant['id']}/submissions"
-    status, graded, headers = call(live, "POST", path, {"answers": {"l3": "1 mm"}}, Cookie=cookie)
+    status, graded, headers = call(site, "POST", path, {"answers": {"l3": "1 mm"}}, Cookie=cookie)
     assert status == 201 and graded["verdicts"]["l3"]["outcome"] == "wrong"
     assert "server" not in {name.lower() for name in headers}
 
@@ -58,13 +58,13 @@ def test_what_was_acknowledged_survives_kill_9(live: Live) -> None:
             assert call(live, "GET", f"/api/v1/submissions/{receipt}", Cookie=cookie)[:2] == (200, graded)
 
 
-def test_a_token_made_beside_the_running_server_is_accepted(live: Live) -> None:
-    bearer = f"Bearer {run.token(Settings(live.folder), 'lecturer')}"
-    assert call(live, "GET", "/api/v1/exercises", Authorization=bearer)[0] == 200
+def test_a_token_made_beside_the_running_server_is_accepted(site: Live) -> None:
+    bearer = f"Bearer {run.token(Settings(site.folder), 'lecturer')}"
+    assert call(site, "GET", "/api/v1/exercises", Authorization=bearer)[0] == 200
 
 
-def test_a_body_sent_in_pieces_without_end_is_bounded(live: Live) -> None:
-    with socket.create_connection(("127.0.0.1", live.port), timeout=20) as wire:
+def test_a_body_sent_in_pieces_without_end_is_bounded(site: Live) -> None:
+    with socket.create_connection(("127.0.0.1", site.port), timeout=20) as wire:
         head = b"POST /api/v1/exercises/slider_crank/variants HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
         wire.sendall(head + b"Transfer-Encoding: chunked\r\n\r\n")
         try:
