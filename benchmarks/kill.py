@@ -31,7 +31,7 @@ serve(from_environment(os.environ))
 """
 START = 60.0  # s
 CLIENTS = 4
-LONGEST_LIFE = 0.5  # s that a server lives at most before it is killed
+LONGEST_LIFE = 1.0  # s that a server lives at most before it is killed
 OLD = 20  # receipts of earlier cycles that are looked up again in each cycle
 
 
