@@ -17,6 +17,7 @@ CODE = [
     ("l1; import os", 2), ("l1 if l1 else l2", 3), ("(l1 := 2)", 5), ("@l1", 0), ("`ls`", 0), ("$(ls)", 0),
     ("{{7*7}}", 0), ("${7*7}", 0), ("<%= 7 %>", 1), ("l1\\n", 2), ("open('/etc/passwd')", 0), ("l1 # l2", 3),
     ("getattr(l1; 'x')", 0), ("l1[0]", 3), ("sys.exit()", 3), ("_", 0), ("os.system('ls')", 2), ("'ls'", 0),
+    
     ("l1~l2", 2),
     ("l1 and l2", 3), ("not l1", 0), ("True", 0), ("None", 0), ("print(l1)", 0), ("globals()", 0), ("l1?l2", 2),
     ("sin.__globals__", 3), ("\\frac{l1}{l2}", 0), ("<script>alert(1)</script>", 1), ("' OR 1=1 --", 0),
@@ -31,7 +32,6 @@ DANGEROUS = {
     "parse_expr",
     "lambdify",
     "parse_latex",
-    "loads_pickle",
 }
 
 

@@ -22,7 +22,7 @@ def judged(typed: str, line: str) -> Code:
     return judge.check(judge.parse(typed, SYMBOLS), Formula(parse_line(line), STATES)).code
 
 
-@pytest.mark.parametrize(("one", "other"), list(combinations(NAMES, 2)))
+@pytest.mark.parametrize(("one", "other"), list(list(combinations(NAMES, 2))))
 def test_declared_names_are_symbols_and_not_one_another(one: str, other: str) -> None:
     assert judged(f"{one}*{other}^2", f"{other}*{one}*{other}") is Code.RIGHT
     assert judged(f"{one} {other}", f"{other} {one}") is Code.RIGHT

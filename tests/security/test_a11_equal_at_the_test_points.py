@@ -66,6 +66,7 @@ def test_a_difference_too_small_for_doubles_is_proved(attack: Attack, text: str)
     "text",
     [
         "0/0", "1/(l1 - l1)", "sqrt(-l1)", "ln(-l1)", "asin(2 + l1)", "0^-1", f"{RIGHT} + 0/0",
+       
         f"({RIGHT})*(l1-l1)/(l1-l1)",
         f"({RIGHT})*sqrt(-l1)/sqrt(-l1)", f"({RIGHT})*ln(-1)/ln(-1)", f"{RIGHT} + 0*ln(0)", "tan(pi/2)", "(-l1)^0,5",
         f"({RIGHT})*sqrt(cos(alpha1))/sqrt(cos(alpha1))", f"({RIGHT})*acos(ω1)/acos(ω1)",
