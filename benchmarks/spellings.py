@@ -14,7 +14,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.p
 import argparse  # noqa: E402
 import time  # noqa: E402
 from collections import Counter  # noqa: E402
-from collections.abc import Iterable  # noqa: E402
+from collections.abc import Callable, Iterable  # noqa: E402
 from dataclasses import dataclass, field  # noqa: E402
 from itertools import cycle, islice  # noqa: E402
 
@@ -41,27 +41,31 @@ class Count:
     failures: list[str] = field(default_factory=list)
 
 
-def full(solved: Solved, name: str, text: str) -> bool:
-    """Tell whether a text gets full marks."""
-    grader = solved.answers[name]
-    try:
-        verdict = grader.check(grader.parse(text, solved.symbols(name)), solved.reference(name))
-    except AnswerSyntaxError:
-        return False
-    return verdict.code is Code.RIGHT and verdict.score == 1
+def judge_of(solved: Solved, name: str) -> Callable[[str], bool]:
+    """Make a test that tells whether a text gets full marks."""
+    grader, symbols, reference = solved.answers[name], solved.symbols(name), solved.reference(name)
+
+    def full(text: str) -> bool:
+        try:
+            verdict = grader.check(grader.parse(text, symbols), reference)
+        except AnswerSyntaxError:
+            return False
+        return verdict.code is Code.RIGHT and verdict.score == 1
+
+    return full
 
 
 def judge(solved: Solved, count: Count) -> None:
     """Judge all rewritings and mutants of one variant, and one whole submission made of rewritings."""
     seed, typed = solved.variant.seed, {}
     for name in solved.answers:
-        right, wrong = answers.right(solved, name), answers.wrong(solved, name)
+        right, wrong, full = answers.right(solved, name), answers.wrong(solved, name), judge_of(solved, name)
         count.right += len(right)
         count.wrong += len(wrong)
         count.kinds.update(f"{type(solved.answers[name]).__name__}: {kind}" for kind, _ in right)
         count.least = (min(count.least[0], len(right)), min(count.least[1], len(wrong)))
-        count.failures += [f"seed {seed} {name} refused {k}: {t!r}" for k, t in right if not full(solved, name, t)]
-        count.failures += [f"seed {seed} {name} accepted {k}: {t!r}" for k, t in wrong if full(solved, name, t)]
+        count.failures += [f"seed {seed} {name} refused {k}: {t!r}" for k, t in right if not full(t)]
+        count.failures += [f"seed {seed} {name} accepted {k}: {t!r}" for k, t in wrong if full(t)]
         typed[name] = next(islice(cycle(right), seed, None))[1]
     count.whole += 1
     if grade(Submission(solved.variant, typed)).score != 1:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import lru_cache
-from math import nan
 from typing import Any
 
 import sympy
@@ -13,6 +13,11 @@ from tests.spellings.hand import HANDS, PLAIN, formula, symbol
 
 SINE, COSINE = sympy.Function("sine"), sympy.Function("cosine")
 LARGE = 60  # operations above which a formula is not expanded or factored
+NUMERIC: dict[str, Callable[..., float]] = {
+    "Abs": abs, "Min": min, "Max": max, "log": math.log, "sign": lambda x: float((x > 0) - (x < 0)),
+    "macaulay": lambda inside, power: inside**power if inside >= 0 else 0.0,
+    **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp")},
+}  # fmt: skip
 Spelled = tuple[tuple[str, str], ...]
 Lines = tuple[tuple[str, str], ...]
 
@@ -105,21 +110,24 @@ def _swapped(tree: Any) -> Iterator[tuple[str, Any]]:
         yield f"{node} swapped", tree.xreplace({node: other(*node.args)})
 
 
-@lru_cache(maxsize=4096)
-def _function(tree: Any) -> tuple[tuple[str, ...], Callable[..., float]]:
-    names = tuple(sorted(s.name for s in tree.free_symbols))
-    modules = [{"macaulay": _macaulay}, "math"]
-    return names, sympy.lambdify([symbol(name) for name in names], tree, modules=modules)
-
-
-def _macaulay(inside: float, power: int) -> float:
-    return float(inside**power) if inside >= 0 else 0.0
-
-
 def value(tree: Any, at: Mapping[str, float]) -> float:
     """Compute a formula at a point in doubles; NaN where it has no value."""
-    names, function = _function(tree)
     try:
-        return function(*[at[name] for name in names])
+        return _value(tree, at)
     except (ValueError, ZeroDivisionError, OverflowError):
-        return nan
+        return math.nan
+
+
+def _value(tree: Any, at: Mapping[str, float]) -> float:
+    if tree.is_Symbol:
+        return at[tree.name]
+    if tree.is_number:
+        return float(tree)
+    values = [_value(argument, at) for argument in tree.args]
+    if tree.is_Add:
+        return math.fsum(values)
+    if tree.is_Mul:
+        return math.prod(values)
+    if tree.is_Pow:
+        return math.pow(*values)
+    return NUMERIC[tree.func.__name__](*values)

@@ -106,7 +106,7 @@ class Hand:
 
     def _factors(self, tree: Any) -> list[str]:
         parts = [part for part in sympy.Mul.make_args(tree) if part != 1]
-        ordered = sorted(parts, key=lambda part: (not part.is_number, bool(part.has(sympy.Function)), str(part)))
+        ordered = sorted(parts, key=lambda part: (not part.is_number, bool(part.has(sympy.Function)), part.sort_key()))
         return [f"({self.write(part)})" if part.is_Add else self._number(part) for part in ordered]
 
     def _number(self, part: Any) -> str:

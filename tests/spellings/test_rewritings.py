@@ -13,6 +13,7 @@ from exercises.solving import Solved
 from graders import Code, Quantity, Symbols, Verdict
 from graders.language import AnswerSyntaxError
 from tests.spellings import amounts, answers
+from tests.spellings.answers import Spelled
 from tests.spellings.units import GROUPS, group_of
 
 SEEDS = range(10)
@@ -23,12 +24,16 @@ def solved(exercise: str, seed: int) -> Solved:
     return Solved(catalogue.load(exercise).exercise, variants.deal(exercise, seed))
 
 
-def judged(variant: Solved, name: str, text: str) -> Verdict | AnswerSyntaxError:
-    grader = variant.answers[name]
-    try:
-        return grader.check(grader.parse(text, variant.symbols(name)), variant.reference(name))
-    except AnswerSyntaxError as error:
-        return error
+def judged(variant: Solved, name: str, texts: Spelled) -> list[tuple[str, str, Verdict | AnswerSyntaxError]]:
+    grader, symbols, reference = variant.answers[name], variant.symbols(name), variant.reference(name)
+
+    def verdict(text: str) -> Verdict | AnswerSyntaxError:
+        try:
+            return grader.check(grader.parse(text, symbols), reference)
+        except AnswerSyntaxError as error:
+            return error
+
+    return [(kind, text, verdict(text)) for kind, text in texts]
 
 
 def full(verdict: Verdict | AnswerSyntaxError) -> bool:
@@ -43,8 +48,7 @@ def test_every_rewriting_is_right(exercise: str) -> None:
         for name in variant.answers:
             texts = answers.right(variant, name)
             assert len({kind for kind, _ in texts}) >= LEAST_RIGHT
-            found = [(kind, text, judged(variant, name, text)) for kind, text in texts]
-            refused += [(seed, name, *each) for each in found if not full(each[2])]
+            refused += [(seed, name, *each) for each in judged(variant, name, texts) if not full(each[2])]
     assert refused == []
 
 
@@ -56,7 +60,7 @@ def test_no_mutant_gets_full_marks(exercise: str) -> None:
         for name in variant.answers:
             texts = answers.wrong(variant, name)
             assert len(texts) >= LEAST_WRONG
-            accepted += [(seed, name, kind, t) for kind, t in texts if full(judged(variant, name, t))]
+            accepted += [(seed, name, *each) for each in judged(variant, name, texts) if full(each[2])]
     assert accepted == []
 
 
