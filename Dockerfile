@@ -15,7 +15,8 @@ WORKDIR /src
 COPY pyproject.toml uv.lock ./
 RUN /opt/uv/bin/uv sync --locked --no-dev --no-install-project
 COPY . .
-RUN /opt/uv/bin/uv sync --locked --no-dev --no-editable
+# uv leaves a lock that everybody may write; in the image nobody may write but to /data.
+RUN /opt/uv/bin/uv sync --locked --no-dev --no-editable && rm -f /opt/grubler/.lock
 
 # hadolint ignore=DL3006
 FROM ${BASE}${DIGEST}
