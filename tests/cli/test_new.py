@@ -49,6 +49,16 @@ def test_an_incomplete_neighbour_is_named(house: Path) -> None:
         assert done.returncode == 2 and b"linkages/half_written lacks" in done.stderr
 
 
+def test_a_new_folder_holds_all_files_under_its_own_name(tmp_path: Path) -> None:
+    folder = scaffold(tmp_path, "accuracy", "round_bar")
+    assert folder == tmp_path / "accuracy" / "round_bar"
+    assert {file.name for file in folder.iterdir()} == {*catalogue.FILES, "figure.py"}
+    assert (tmp_path / "accuracy" / "__init__.py").read_text() == '"""Accuracy."""\n'
+    words = "".join(file.read_text("utf-8") for file in folder.iterdir())
+    assert not any(place in words for place in ("EXERCISE_ID", "EXERCISE-ID", "CHAPTER"))
+    assert "from exercises.accuracy.round_bar.figure import figure" in words and '"round-bar"' in words
+
+
 @pytest.mark.parametrize("name", ["", "2bars", "Bar", "bar-two", "a/b", "..", "_bar", "class", "belka_ą", "b" * 41])
 def test_an_id_that_cannot_stay_is_refused(name: str, tmp_path: Path) -> None:
     with pytest.raises(Unusable) as refused:
