@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Generic, TypeAlias, TypeVar
 
 from exercises.draw import Draw
 from exercises.givens import each, given, option
 from figures.picture import Picture
-from graders import Grader, Value, Verdict
+from graders import Grader, States, Value, Verdict
 
 Values: TypeAlias = Mapping[str, Value]
 Line: TypeAlias = str | Callable[..., Value]
@@ -41,7 +41,11 @@ class Mistake(Generic[G]):
 
 @dataclass(frozen=True, slots=True)
 class Exercise(Generic[G]):
-    """One exercise: givens, how they are drawn, how they are solved (twice), what is asked, and known slips."""
+    """One exercise: givens, how they are drawn, how they are solved (twice), what is asked, and known slips.
+
+    An answer whose judge needs more than the value or the formula of a step (the true states of a mechanism, the pose
+    of a chain) names in `references` a function of the givens, the solved values and the drawn states that makes it.
+    """
 
     systems: tuple[str, ...]
     givens: type[G]
@@ -51,6 +55,7 @@ class Exercise(Generic[G]):
     answers: Answers | Callable[[G], Answers]
     mistakes: Mapping[str, Mistake[G]]
     figure: Callable[[G, Mapping[str, str], str], Picture] | None = None
+    references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
     version: int = 1
     minutes: int = 20
 

@@ -9,7 +9,7 @@ from exercises import catalogue
 from exercises.exercise import Grade, Submission, Variant
 from exercises.solving import NO_SECRET, Solved, solve
 from exercises.variants import predictions
-from graders import AnswerSyntaxError, Code, Echo, Expression, Outcome, Value, Verdict
+from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.language import Tree
 from graders.language.doubles import UndefinedError
 from graders.verdict import EMPTY, FAULT, FOLLOWED, unreadable
@@ -109,7 +109,7 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
 def _follows(solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree]) -> bool:
     """Tell whether an answer is right when solved from the student's own earlier values."""
     step, grader = solved.step_of(name), solved.answers[name]
-    if isinstance(grader, Expression):
+    if grader.symbolic or step not in solved.steps:
         return False
     own = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
     try:

@@ -11,7 +11,7 @@ from exercises.givens import numbers
 from exercises.solving import Solved
 from exercises.words import Printed, Words, fill, html, indexed, inline, plain, printed_unit, with_unit
 from figures.picture import Picture
-from graders import Choice, Expression, Quantity, Value
+from graders import Choice, Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, symbol_mathml
 from graders.language.text import text_of
@@ -95,7 +95,7 @@ def printed_givens(variant: Variant, lang: str) -> tuple[Printed, ...]:
 def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
     grader = solved.answers[name]
     described, prompt = grader.describe(), indexed(words["answers"], name)
-    symbols = sorted(solved.symbols(name).names) if isinstance(grader, Expression) else []
+    symbols = sorted(solved.symbols(name).names) if grader.symbolic else []
     options = words["choices"][name] if isinstance(grader, Choice) else {}
     return Field(
         name=name,

@@ -12,7 +12,7 @@ from typing import Any
 from exercises.draw import Draw
 from exercises.exercise import AnyExercise, Line, Steps, Variant
 from exercises.givens import Domain, domains, numbers, words_of
-from graders import Expression, Formula, Grader, Reference, States, Symbols, Value
+from graders import Formula, Grader, States, Symbols, Value
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, line_runner, run
 from graders.language.program import Runner, Table
@@ -114,15 +114,16 @@ class Solved:
         """Give the step an answer asks for."""
         return self.answers[answer].step or answer
 
-    def reference(
-        self, answer: str, values: Mapping[str, Value] | None = None, replaced: Steps | None = None
-    ) -> Reference:
+    def reference(self, answer: str, values: Mapping[str, Value] | None = None, replaced: Steps | None = None) -> Any:
         """Give what an answer is judged against: a value, or a formula with its true states.
 
         A replaced given leaves a formula answer as it is; only a replaced step changes it.
         """
         step = self.step_of(answer)
-        if isinstance(self.answers[answer], Expression):
+        made = self.exercise.references.get(answer)
+        if made is not None:
+            return made(self.variant.givens, values or self.values, self.states(step))
+        if self.answers[answer].symbolic:
             line = (replaced or {}).get(step, self.steps[step])
             if not isinstance(line, str):
                 raise TypeError(f"step {step!r} is a function; a symbolic answer needs a formula step")
@@ -152,7 +153,7 @@ class Solved:
     def states(self, step: str) -> States:
         """Give points of the givens' domain at which the variant's topology can be assembled."""
         if step not in self._states:
-            line = self.steps[step]
+            line = self.steps.get(step, "0")
             tree = parse_line(line) if isinstance(line, str) else parse_line("0")
             self._states[step] = self._drawn(step, tree)
         return self._states[step]

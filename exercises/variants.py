@@ -13,7 +13,7 @@ from exercises.givens import Json
 from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
 from exercises.solving import Solved, solve
-from graders import Expression, Reference
+from graders import Reference
 from graders.language.doubles import UndefinedError
 
 MAX_SEED = 2**53 - 1
@@ -73,7 +73,7 @@ def told_apart(solved: Solved) -> bool:
 
 def differ(solved: Solved, one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
     """Tell whether two sets of answers are at least three tolerances apart somewhere; numbers are compared first."""
-    numeric = [name for name, grader in solved.answers.items() if not isinstance(grader, Expression)]
+    numeric = [name for name, grader in solved.answers.items() if not grader.symbolic]
     symbolic = [name for name in solved.answers if name not in numeric]
     for name in (*numeric, *symbolic):
         if one[name] is not other[name] and solved.answers[name].apart(one[name], other[name]) >= APART:

@@ -1,12 +1,12 @@
 """The answer language, units and the judges of one answer."""
 
-from graders.choice import Choice
-from graders.expression import Expression
-from graders.integer import Integer
 from graders.judge import Echo, Formula, Grader, Reference, Samples, States, Value
+from graders.kinds.choice import Choice
+from graders.kinds.expression import Expression
+from graders.kinds.integer import Integer
+from graders.kinds.matrix import Matrix
+from graders.kinds.quantity import Quantity
 from graders.language import AnswerSyntaxError, Symbols
-from graders.matrix import Matrix
-from graders.quantity import Quantity
 from graders.verdict import Code, Outcome, Verdict
 
 KINDS: dict[str, type[Grader]] = {  # one row an answer kind

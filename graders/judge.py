@@ -76,6 +76,10 @@ class Grader(Protocol):
     def step(self) -> str: ...
     @property
     def weight(self) -> float: ...
+    @property
+    def symbolic(self) -> bool:
+        """Tell whether the answer is written in the symbols of the task."""
+        ...
 
     def parse(self, text: str, symbols: Symbols) -> Any:
         """Read a text; raises AnswerSyntaxError."""

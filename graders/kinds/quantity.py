@@ -59,6 +59,7 @@ class Quantity:
     weight: float = 1.0
     unit_credit: float = 0.5
     kind: ClassVar[str] = "quantity"
+    symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""

@@ -20,6 +20,7 @@ class Choice:
     step: str = ""
     weight: float = 1.0
     kind: ClassVar[str] = "choice"
+    symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> str:
         """Read a letter or the name of an option, `b`, `b)`, `(b)` or `sense = b`; raises AnswerSyntaxError."""

@@ -23,6 +23,7 @@ class Integer:
     step: str = ""
     weight: float = 1.0
     kind: ClassVar[str] = "integer"
+    symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> int:
         """Read `12`, `-3`, `45,0`, `z3 = 45`; raises AnswerSyntaxError."""

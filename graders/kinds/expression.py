@@ -28,6 +28,7 @@ class Expression:
     step: str
     weight: float = 1.0
     kind: ClassVar[str] = "expression"
+    symbolic: ClassVar[bool] = True
 
     def parse(self, text: str, symbols: Symbols) -> Tree:
         """Read a formula; `omega2 = …` in front is allowed, the unknown itself inside is not."""

@@ -52,6 +52,7 @@ class Matrix:
     step: str = ""
     weight: float = 1.0
     kind: ClassVar[str] = "matrix"
+    symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> Typed:
         """Read `[[1; 0], [0; 1]]` or `[1, 0; 0, 1]`; entries may be constant expressions such as `cos(30°)`."""

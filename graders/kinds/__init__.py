@@ -1,0 +1,1 @@
+"""The judges: one file an answer kind."""
