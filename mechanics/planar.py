@@ -135,6 +135,17 @@ class Prismatic:
 
 
 @dataclass(frozen=True, slots=True)
+class Contact:
+    """A higher pair of curvature zero: the point of b stays on the tangent, its normal the direction of a."""
+
+    a: Marker
+    b: Marker
+
+    def rows(self, poses: Poses, rates: Poses) -> list[Row]:
+        return [_relative_shift(self.a, self.b, 0.0, poses, rates)]
+
+
+@dataclass(frozen=True, slots=True)
 class Driver:
     """Hold a relative coordinate at a value with a given rate and acceleration.
 

@@ -1,0 +1,99 @@
+"""Free directions of constraints, and which of them are finite motions (domain STR-5).
+
+A free direction of the linearized constraints counts only if finite steps along it close again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+Vector: TypeAlias = Any  # (m,) array of floats
+Closure: TypeAlias = Callable[[Vector], tuple[Vector, Any]]  # coordinates -> gaps (m,) and their slopes (m, n)
+
+RANK = 1e-6  # of the largest singular value
+STEPS = 8  # along a free direction
+STEP = 0.06  # of the size of the mechanism
+CLOSED = 1e-11
+ROUNDS = 60
+MIXES = 3
+SHARE = 0.3  # of a step that must be left after closing again, or nothing moved
+
+
+@dataclass(frozen=True, slots=True)
+class Freedom:
+    """Free directions at the drawn position, those that are finite motions, and the rank of the constraints there."""
+
+    instantaneous: int
+    true: int
+    rank: int
+
+
+def freedom(closure: Closure, coordinates: int) -> Freedom:
+    """Count the free directions of a mechanism and those that lead to finite motions.
+
+    Args:
+        closure: Gives the gaps of all constraints and their slopes; the drawn position is zero.
+        coordinates: Number of coordinates.
+    """
+    import numpy as np
+
+    _, slopes = closure(np.zeros(coordinates))
+    free = _free(slopes, coordinates)
+    rank = coordinates - free.shape[0]
+    if not free.shape[0]:
+        return Freedom(0, 0, rank)
+    reached = [
+        found for direction in _directions(free) if (found := _walk(closure, direction, coordinates)) is not None
+    ]
+    return Freedom(free.shape[0], min(reached, default=0), rank)
+
+
+def _directions(free: Any) -> list[Vector]:
+    """Mix the free directions, so that a branch of the motion is met whichever basis was found."""
+    import numpy as np
+
+    count = free.shape[0]
+    mixes = [np.cos(np.arange(count) * (1 + turn) * 2.399 + turn) for turn in range(min(count, MIXES))]
+    chosen = [mix @ free for mix in mixes] + list(free if count <= MIXES else ())
+    return [sign * one / np.linalg.norm(one) for one in chosen for sign in (1.0, -1.0)]
+
+
+def _free(slopes: Any, coordinates: int) -> Any:
+    """Give a basis of the directions that change no gap, ``(free, n)``."""
+    import numpy as np
+
+    if not slopes.shape[0]:
+        return np.eye(coordinates)
+    _, values, rows = np.linalg.svd(slopes)
+    rank = int(np.sum(values > RANK * max(values[0], 1e-300)))
+    return rows[rank:]
+
+
+def _walk(closure: Closure, direction: Vector, coordinates: int) -> int | None:
+    """Walk along a free direction; the freedoms at the place reached, or None if the first step springs back."""
+    import numpy as np
+
+    at, ahead = np.zeros(coordinates), direction
+    for _ in range(STEPS):
+        there = _closed(closure, at + STEP * ahead)
+        if there is None or np.linalg.norm(there - at) < SHARE * STEP or (there - at) @ ahead < SHARE * STEP:
+            break
+        ahead = (there - at) / np.linalg.norm(there - at)
+        at = there
+    if not np.any(at):
+        return None
+    return int(_free(closure(at)[1], coordinates).shape[0])
+
+
+def _closed(closure: Closure, at: Vector) -> Vector | None:
+    """Close the gaps by least squares (Gauss-Newton); None if they stay open."""
+    import numpy as np
+
+    for _ in range(ROUNDS):
+        gaps, slopes = closure(at)
+        if not gaps.size or np.max(np.abs(gaps)) < CLOSED:
+            return at
+        at = at - np.linalg.lstsq(slopes, gaps, rcond=1e-9)[0]
+    return None
