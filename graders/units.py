@@ -18,7 +18,7 @@ from graders.language.tokens import SAME, SPACES
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A unit of measurement: powers of the base dimensions, factor to SI, and tag (energy, cycle or none)."""
+    """A unit of measurement: powers of the base dimensions, factor to SI, and tag (energy, cycle, turn or none)."""
 
     dimension: tuple[int, int, int, int, int]
     factor: float
@@ -36,6 +36,7 @@ def _unit(
 
 
 TURN = 2 * math.pi
+SPEED_OF_ROTATION = (0, 0, -1, 1, 0)
 PREFIXED = {
     "m": _unit(1, 1), "м": _unit(1, 1),
     "g": _unit(1e-3, 0, 1), "г": _unit(1e-3, 0, 1),
@@ -56,8 +57,8 @@ PLAIN = {
     **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов"), _unit(math.pi / 180, angle=1)),
     **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
     **dict.fromkeys(('"', "arcsec"), _unit(math.pi / 648000, angle=1)),
-    **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1)),
-    **dict.fromkeys(("rpm", "RPM"), _unit(TURN / 60, 0, 0, -1, 1)),
+    **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1, tag="turn")),
+    **dict.fromkeys(("rpm", "RPM"), _unit(TURN / 60, 0, 0, -1, 1, tag="turn")),
     **dict.fromkeys(("min", "мин"), _unit(60, 0, 0, 1)),
     **dict.fromkeys(("h", "godz", "ч"), _unit(3600, 0, 0, 1)),
     **dict.fromkeys(("t", "т"), _unit(1e3, 0, 1)),
@@ -207,8 +208,13 @@ def _times(one: Unit, other: Unit, power: int) -> Unit:
         a[3] + power * b[3],
         a[4] + power * b[4],
     )
-    tag = other.tag if one == NONE and power == 1 else one.tag if other == NONE else ""
-    return Unit(dimension, one.factor * float(other.factor) ** power, tag)
+    return Unit(dimension, one.factor * float(other.factor) ** power, _tag(one, other, power))
+
+
+def _tag(one: Unit, other: Unit, power: int) -> str:
+    if one == NONE and power == 1:
+        return other.tag
+    return one.tag if other == NONE else "turn" if "turn" in (one.tag, other.tag) else ""
 
 
 def fits(typed: Unit, expected: Unit) -> bool:
@@ -216,9 +222,21 @@ def fits(typed: Unit, expected: Unit) -> bool:
 
     An angle may be left out of a unit (1/s for rad/s); energy and cycles stand only for themselves.
     """
-    if typed.tag and typed.tag != expected.tag:
+    if typed.tag not in ("", "turn", expected.tag):
         return False
     if typed.dimension == expected.dimension:
         return True
     without = (*typed.dimension[:3], expected.dimension[3], typed.dimension[4])
     return typed.dimension[3] == 0 and without == expected.dimension and typed != NONE
+
+
+def readings(typed: Unit, expected: Unit) -> tuple[float, ...]:
+    """Give the factors to SI that a typed unit may have at a field, the likelier first.
+
+    A speed of rotation without its angle counts turns where the field counts turns or the time is no second: `1/min`
+    is a turn a minute. There it may count radians as well.
+    """
+    speed = expected.dimension == SPEED_OF_ROTATION and typed.dimension == (0, 0, -1, 0, 0)
+    if speed and (expected.tag == "turn" or typed.factor != 1):
+        return typed.factor * TURN, typed.factor
+    return (typed.factor,)

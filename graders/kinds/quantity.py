@@ -17,7 +17,7 @@ from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
 from graders.language.tokens import Token, tokenize
 from graders.language.tree import Angle, Number, Tree, Unary, walk
-from graders.units import Unit, fits, read_unit
+from graders.units import Unit, fits, read_unit, readings
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
@@ -49,7 +49,8 @@ class Quantity:
         atol: Absolute floor in SI units, declared where the value can be near zero.
         step: The step asked for; empty for the step named like the answer.
         weight: Share in the score.
-        unit_credit: Score for a number that is right in a unit that is not.
+        unit_credit: Score for a number that would be right in the printed unit but is typed in another unit of the
+            same quantity.
     """
 
     unit: str
@@ -70,16 +71,19 @@ class Quantity:
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
         if unit is None and (isinstance(tree, Angle) or any(isinstance(n, Angle) or _arc(n) for n in walk(tree))):
             return Amount(tree, number, read_unit("rad"), "", _bounded(number, number))
-        return Amount(tree, number, unit, unit_text, _bounded(number, number * (unit or expected).factor))
+        factor = readings(unit, expected)[0] if unit else expected.factor
+        return Amount(tree, number, unit, unit_text, _bounded(number, number * factor))
 
     def check(self, answer: Amount, reference: float) -> Verdict:
         """Judge value and unit apart; tell the opposite sign and a factor of ten from other errors."""
         expected = read_unit(self.unit)
         if answer.unit is not None and not fits(answer.unit, expected):
-            if self._close(answer.number * expected.factor, reference):
-                return Verdict(self.unit_credit, Code.WRONG_UNIT)
             return wrong(Code.WRONG_DIMENSION)
         if self._close(answer.value, reference):
+            return RIGHT
+        if answer.unit is not None and any(
+            self._close(answer.number * factor, reference) for factor in readings(answer.unit, expected)[1:]
+        ):
             return RIGHT
         if answer.unit is not None and self._close(answer.number * expected.factor, reference):
             return Verdict(self.unit_credit, Code.WRONG_UNIT)

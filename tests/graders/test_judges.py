@@ -91,7 +91,9 @@ def test_a_judge_echoes_what_it_read_and_describes_its_field(grader: Grader, ref
         ("12.56251", Code.NOT_PRECISE),
         ("１２.5", Code.RIGHT),
         ("12.5 kPa", Code.WRONG_UNIT),
-        ("12.5 mm", Code.WRONG_UNIT),
+        ("12.5 mm", Code.WRONG_DIMENSION),
+        ("12.5 N", Code.WRONG_DIMENSION),
+        ("12.5 N/m", Code.WRONG_DIMENSION),
         ("-12.5", Code.OPPOSITE_SIGN),
         ("13 mm", Code.WRONG_DIMENSION),
         ("125", Code.FACTOR_OF_TEN),
@@ -146,8 +148,44 @@ def test_angles_are_read_in_degrees_minutes_and_radians(typed: str) -> None:
 
 
 def test_credit_for_a_number_in_the_wrong_unit_is_declared_by_the_task() -> None:
+    assert Quantity("MPa").check(Quantity("MPa").parse("12.5 kPa", NOTHING), 12.5e6).score == 0.5
     strict = Quantity("MPa", unit_credit=0.0)
     assert strict.check(strict.parse("12.5 kPa", NOTHING), 12.5e6).score == 0
+
+
+@pytest.mark.parametrize(
+    ("unit", "reference", "typed"),
+    [
+        ("N*m", 25.0, "25 J"),
+        ("kN*m", 25e3, "25 kJ"),
+        ("rad/s", 25.0, "25 Hz"),
+        ("Hz", 25.0, "25 rad/s"),
+        ("Hz", 25.0, "1500 rpm"),
+        ("rad", 0.5, "0,5 m"),
+        ("W", 100.0, "100 J"),
+    ],
+)
+def test_a_right_number_of_another_quantity_earns_nothing(unit: str, reference: float, typed: str) -> None:
+    judge = Quantity(unit)
+    verdict = judge.check(judge.parse(typed, NOTHING), reference)
+    assert (verdict.code, verdict.score) == (Code.WRONG_DIMENSION, 0)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    ["1500", "1500 rpm", "1500 obr/min", "1500 об/мин", "1500 rev/min", "1500 obr./min", "25 obr/s", "25 об/с",
+     "1500 1/min", "1500 min^-1", "1500 мин⁻¹", "25 1/s", "157,08 rad/s", "9000 deg/s"],
+)  # fmt: skip
+def test_a_speed_of_rotation_is_read_in_turns_or_radians(typed: str) -> None:
+    assert judged(Quantity("rpm"), typed, 1500 * math.pi / 30) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("typed", "code"),
+    [("25 1/s", Code.RIGHT), ("25 rad/s", Code.RIGHT), ("25 obr/s", Code.WRONG_UNIT), ("25 Hz", Code.WRONG_DIMENSION)],
+)
+def test_a_bare_second_below_the_line_means_radians_where_radians_are_asked(typed: str, code: Code) -> None:
+    assert judged(Quantity("rad/s"), typed, 25.0) is code
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 
 from graders import AnswerSyntaxError
 from graders.language import Reason
-from graders.units import TABLE, fits, read_unit
+from graders.units import TABLE, fits, read_unit, readings
 
 PINT = [
     "m",
@@ -192,3 +192,22 @@ def test_a_turn_a_minute_is_a_thirtieth_of_pi() -> None:
 
 def test_a_decanewton_is_ten_newtons() -> None:
     assert read_unit("daN").factor == 10
+
+
+@pytest.mark.parametrize(
+    ("typed", "expected", "factors"),
+    [
+        ("1/min", "rpm", (math.pi / 30, 1 / 60)),
+        ("1/s", "rpm", (2 * math.pi, 1)),
+        ("1/min", "rad/s", (math.pi / 30, 1 / 60)),
+        ("1/s", "rad/s", (1,)),
+        ("rad/s", "rpm", (1,)),
+        ("obr/min", "rpm", (math.pi / 30,)),
+        ("Hz", "Hz", (1,)),
+        ("mm", "m", (1e-3,)),
+    ],
+)
+def test_turns_left_out_of_a_speed_are_read_where_turns_are_counted(
+    typed: str, expected: str, factors: tuple[float, ...]
+) -> None:
+    assert readings(read_unit(typed), read_unit(expected)) == pytest.approx(factors, rel=1e-12)

@@ -52,7 +52,14 @@ def test_a_sum_of_quantities_is_no_number(text: str) -> None:
 
 
 @pytest.mark.parametrize("text", WRONG_DIMENSIONS)
-def test_another_dimension_is_a_dimension_error_and_never_full_marks(text: str) -> None:
+def test_a_right_number_of_another_dimension_earns_nothing(text: str) -> None:
     found = judged(text)
     assert isinstance(found, Verdict)
-    assert found.code in (Code.WRONG_DIMENSION, Code.WRONG_UNIT) and found.score < 1
+    assert (found.code, found.score) == (Code.WRONG_DIMENSION, 0)
+
+
+@pytest.mark.parametrize("text", ["12,5 N", "12.5 MN", "12,5 mN"])
+def test_half_credit_is_kept_for_another_unit_of_the_same_dimension(text: str) -> None:
+    found = judged(text)
+    assert isinstance(found, Verdict)
+    assert (found.code, found.score) == (Code.WRONG_UNIT, 0.5)
