@@ -1,0 +1,1 @@
+"""Structure of mechanisms: mobility, loops, structural groups."""
