@@ -31,12 +31,16 @@ class Code(StrEnum):
     WRONG_UNIT = "wrong_unit"
     WRONG_DIMENSION = "wrong_dimension"
     NOT_PRECISE = "not_precise"
+    NOT_EXACT = "not_exact"
+    INVERTED_RATIO = "inverted_ratio"
     UNDEFINED = "undefined"
     SOME_ENTRIES = "some_entries"
+    SOME_ITEMS = "some_items"
     WRONG_SHAPE = "wrong_shape"
     EMPTY = "empty"
     UNREADABLE = "unreadable"
     UNDECIDED = "undecided"
+    KEPT = "kept"
     FAULT = "fault"
 
 
@@ -49,12 +53,16 @@ OUTCOMES = {
     Code.WRONG_UNIT: Outcome.PARTLY,
     Code.WRONG_DIMENSION: Outcome.WRONG,
     Code.NOT_PRECISE: Outcome.WRONG,
+    Code.NOT_EXACT: Outcome.WRONG,
+    Code.INVERTED_RATIO: Outcome.WRONG,
     Code.UNDEFINED: Outcome.WRONG,
     Code.SOME_ENTRIES: Outcome.PARTLY,
+    Code.SOME_ITEMS: Outcome.PARTLY,
     Code.WRONG_SHAPE: Outcome.WRONG,
     Code.EMPTY: Outcome.UNREADABLE,
     Code.UNREADABLE: Outcome.UNREADABLE,
     Code.UNDECIDED: Outcome.UNDECIDED,
+    Code.KEPT: Outcome.UNDECIDED,
     Code.FAULT: Outcome.FAULT,
 }
 

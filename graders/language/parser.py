@@ -5,15 +5,19 @@ from __future__ import annotations
 from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.proposals import figure_behind, nearest_name, product
 from graders.language.symbols import FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key
-from graders.language.tokens import Token, exponent_of, tokenize
+from graders.language.tokens import Token, exponent_of, partners, tokenize
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
 
 MAX_DEPTH = 60  # brackets, signs and powers within one another
 MAX_NODES = 1500
 MAX_MATRIX = 16
+MAX_ORDER = 100  # of a Macaulay bracket
 RELATIONS = ("=", "<", ">", "<=", ">=")
 STARTS = ("number", "name", "(", "[", "√")
+CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}
+DEGREES = ("deg", "stopni", "stopnie", "st", "град", "градусов")
 
 
 def parse(text: str, symbols: Symbols) -> Tree:
@@ -36,7 +40,8 @@ class _Parser:
 
     def __init__(self, tokens: list[Token], symbols: Symbols | None) -> None:
         self.tokens, self.symbols = tokens, symbols
-        self.at = self.depth = self.nodes = self.angles = 0
+        self.at = self.depth = self.nodes = self.bars = 0
+        self.closed: dict[int, int] | None = None
 
     @property
     def token(self) -> Token:
@@ -58,9 +63,14 @@ class _Parser:
         self.at += found
         return found
 
-    def close(self, kind: str, opened: Token) -> None:
-        if not self.accept(kind):
-            raise self.error(Reason.NEEDS_BRACKET if self.token.kind == "end" else Reason.EXTRA_TEXT, None, opened.text)
+    def close(self, opened: Token) -> None:
+        kind = CLOSING[opened.kind]
+        if self.accept(kind):
+            return
+        if self.token.kind == "end":
+            raise AnswerSyntaxError(Reason.NEEDS_BRACKET, self.token.position, kind)
+        other = self.token.kind in CLOSING.values() and self.token.kind != "|"
+        raise self.error(Reason.EXTRA_BRACKET if other else Reason.EXTRA_TEXT, None, kind if other else "")
 
     def relation(self) -> Tree:
         sides, operators = [self.sum()], []
@@ -106,14 +116,20 @@ class _Parser:
                 return tree
 
     def begins_factor(self) -> bool:
-        if self.angles and self.token.kind == ">":
-            return False
-        return self.token.kind in STARTS
+        kind = self.token.kind
+        return kind in STARTS or (kind == "|" and not self.bars) or (kind == "<" and self.opens_bracket())
+
+    def opens_bracket(self) -> bool:
+        """Tell `F<x - a>^1` from the relation `F < x`: only behind a bracket a power or nothing follows."""
+        if self.closed is None:
+            self.closed = partners(self.tokens)
+        after = self.closed.get(self.at)
+        return after is not None and self.tokens[after + 1].kind in ("^", "raised", "end", ")", "]", ";", ",", ">")
 
     def refuse_doubt(self, tree: Tree, divided: Tree | None, token: Token) -> None:
         """`a/2b` may be (a/2)b or a/(2b): ask, unless a plain fraction of numbers stands in front."""
         if token.kind == "number":  # a b, 2 b and (a) (b) are products; a figure behind something is asked about
-            raise self.error(Reason.EXTRA_TEXT, token)
+            raise figure_behind(self.tokens, self.at)
         plain = isinstance(tree, Binary) and isinstance(tree.left, Number) and isinstance(tree.right, Number)
         if divided is not None and not plain and not isinstance(divided, Grid):
             raise self.error(Reason.AMBIGUOUS_FRACTION, token)
@@ -148,12 +164,18 @@ class _Parser:
 
     def postfix(self) -> Tree:
         tree = self.atom()
-        if self.token.kind == "°":
-            self.at += 1
-            return self.arc(tree)
         while self.token.kind == "[" and isinstance(tree, Name | Index):
             tree = self.index(tree)
+        if self.token.kind == "°" or self.names_degrees(self.token):
+            self.at += 1
+            return self.arc(tree)
         return tree
+
+    def names_degrees(self, token: Token) -> bool:
+        """Tell whether a word is the unit of an angle: `30 deg`, where no symbol is called so."""
+        if token.kind != "name" or token.text not in DEGREES:
+            return False
+        return token.text == "deg" if self.symbols is None else self.symbols.find(token.text) is None
 
     def arc(self, degrees: Tree) -> Tree:
         """Read what follows a degree sign: minutes and seconds of arc, if they are typed."""
@@ -173,7 +195,7 @@ class _Parser:
         if not (self.accept(",") or self.accept(";")):
             raise self.error(Reason.NEEDS_ARGUMENTS)
         column = self.small_integer()
-        self.close("]", opened)
+        self.close(opened)
         return self.count(Index(matrix, row, column))
 
     def small_integer(self) -> int:
@@ -214,10 +236,10 @@ class _Parser:
         opened = self.token
         self.at += 1
         self.enter(opened)
-        self.angles += opened.kind == "<"
+        outside, self.bars = self.bars, int(opened.kind == "|")
         tree = self.sum()
-        self.angles -= opened.kind == "<"
-        self.close({"(": ")", "|": "|", "<": ">"}[opened.kind], opened)
+        self.bars = outside
+        self.close(opened)
         self.depth -= 1
         if opened.kind == "|":
             return self.count(Call("abs", (tree,)))
@@ -225,13 +247,20 @@ class _Parser:
 
     def macaulay(self, inside: Tree) -> Tree:
         """`<u>^n`; without a power the bracket means `<u>^1`."""
+        mark, order = self.token, Number("1")
         if self.accept("^"):
-            return self.count(Call("macaulay", (inside, self.signed())))
-        if self.token.kind == "raised":
-            token = self.token
-            self.at += 1
-            return self.count(Call("macaulay", (inside, self.raised(token))))
-        return self.count(Call("macaulay", (inside, Number("1"))))
+            return self.count(Call("macaulay", (inside, self.order(self.signed(), mark))))
+        if self.accept("raised"):
+            return self.count(Call("macaulay", (inside, self.order(self.raised(mark), mark))))
+        return self.count(Call("macaulay", (inside, order)))
+
+    def order(self, order: Tree, mark: Token) -> Tree:
+        """Hold the order of a bracket to whole numbers, at least -2: a moment is `<x - a>^-2`, a force `<x - a>^-1`."""
+        least = 2 if isinstance(order, Unary) and order.operator == "-" else MAX_ORDER
+        number = order.operand if isinstance(order, Unary) else order
+        if isinstance(number, Number) and not (number.whole and int(number.digits) <= least):
+            raise self.error(Reason.OUT_OF_RANGE, mark)
+        return order
 
     def matrix(self) -> Tree:
         opened = self.token
@@ -241,8 +270,10 @@ class _Parser:
         rows = [self.row(nested)]
         while self.accept(";") or (nested and self.accept(",")):
             rows.append(self.row(nested))
-        self.close("]", opened)
+        self.close(opened)
         self.depth -= 1
+        if not nested and len(rows) == len(rows[0]) == 1:  # [a + b] c: square brackets around round ones
+            return rows[0][0]
         if len({len(row) for row in rows}) > 1:
             raise self.error(Reason.RAGGED_MATRIX, opened)
         if max(len(rows), len(rows[0])) > MAX_MATRIX:
@@ -252,12 +283,12 @@ class _Parser:
     def row(self, nested: bool) -> tuple[Tree, ...]:
         opened = self.token
         if nested and not self.accept("["):
-            raise self.error(Reason.NEEDS_BRACKET, None, "[")
+            raise AnswerSyntaxError(Reason.NEEDS_BRACKET, opened.position, "[")
         entries = [self.sum()]
         while self.accept(",") or (nested and self.accept(";")):
             entries.append(self.sum())
         if nested:
-            self.close("]", opened)
+            self.close(opened)
         return tuple(entries)
 
     def named(self, token: Token) -> Tree:
@@ -267,9 +298,12 @@ class _Parser:
         function = function_named(token.text)
         if function is not None:
             return self.call(function, token)
-        if key(token.text) == "pi":
+        folded = key(token.text)
+        if folded == "pi":
             return Name("pi")
-        if token.text in ("deg", "grad", "град", "st"):  # never declared here, so it is the unit of an angle
+        if folded.startswith("log") and folded[3:].isdigit() and len(folded) < 9:  # log_2(8), log₂ 8
+            return self.call("log", token, Number(folded[3:]))
+        if token.text in (*DEGREES, "grad"):  # never declared here, so it is the unit of an angle
             raise self.error(Reason.UNKNOWN_NAME, token, "°")
         return self.named(self.cut(token))
 
@@ -292,22 +326,24 @@ class _Parser:
         assert self.symbols is not None
         pieces = self.symbols.split(token.text.rstrip("'"))
         if pieces:
-            return self.error(Reason.UNKNOWN_NAME, token, "·".join(pieces))
+            return self.error(Reason.UNKNOWN_NAME, token, product(pieces, self.tokens[self.at :]))
+        if token.text == "e" and self.token.kind == "^":
+            return self.error(Reason.UNKNOWN_NAME, token, "exp()")
         for place, char in enumerate(token.text):
             if char in LOOK_ALIKES and any(c.isascii() and c.isalpha() for c in token.text):
                 return AnswerSyntaxError(Reason.LOOK_ALIKE, token.position + place, char, LOOK_ALIKES[char])
-        folded = key(token.text).lower()
-        near = sorted(name for name in self.symbols.names if key(name).lower() == folded)
-        return self.error(Reason.UNKNOWN_NAME, token, near[0] if near else "")
+        return self.error(Reason.UNKNOWN_NAME, token, nearest_name(token.text, self.symbols))
 
-    def call(self, function: str, token: Token) -> Tree:
+    def call(self, function: str, token: Token, *last: Tree) -> Tree:
         power = self.function_power(token)
         self.enter(token)
-        arguments = self.arguments(function, token)
+        arguments = (*self.arguments(token), *last)
         self.depth -= 1
         least, most = FUNCTIONS[function]
         if not least <= len(arguments) <= most:
             raise self.error(Reason.NEEDS_ARGUMENTS, token)
+        if function == "macaulay":
+            self.order(arguments[1], token)
         tree = self.count(Call(function, arguments))
         return self.count(Binary("^", tree, power)) if power else tree
 
@@ -323,20 +359,25 @@ class _Parser:
         return power
 
     def exponent(self) -> Tree:
+        opened = self.token
+        bracket = self.accept("(")
         if self.token.kind == "-":
             return Unary("-", Number("1"))
         if self.token.kind != "number":
             raise self.error(Reason.NEEDS_OPERAND)
-        return self.number()
+        power = self.number()
+        if bracket:
+            self.close(opened)
+        return power
 
-    def arguments(self, function: str, token: Token) -> tuple[Tree, ...]:
+    def arguments(self, token: Token) -> tuple[Tree, ...]:
         opened = self.token
         if not self.accept("("):
             return (self.bare_argument(token),)
         found = [self.sum()]
         while self.accept(";") or self.accept(","):
             found.append(self.sum())
-        self.close(")", opened)
+        self.close(opened)
         return tuple(found)
 
     def bare_argument(self, token: Token) -> Tree:

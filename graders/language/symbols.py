@@ -25,6 +25,7 @@ SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=Tru
 SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
 LOOK_ALIKES = dict(zip("АВЕКМНОРСТХаеорсухіѕј", "ABEKMHOPCTXaeopcyxisj", strict=True))  # Cyrillic to Latin
 DOTS = {"\u0307": "_d", "\u0308": "_dd"}  # a dot over a name is its rate
+RATES = {"_dot": "_d", "_ddot": "_dd", "''": "_dd", "'": "_d"}  # other ways to write it, where the rate is declared
 
 FUNCTIONS: dict[str, tuple[int, int]] = {  # least and greatest number of arguments
     **dict.fromkeys(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot"), (1, 1)),
@@ -46,10 +47,12 @@ ALIASES = {
 @lru_cache(maxsize=4096)
 def key(spelling: str) -> str:
     """Fold the spellings of one symbol: `α₁`, `alpha_1` and `alpha1` have one key, `R_A` and `RA` too."""
-    letters = "".join(
-        DOTS.get(c) or GREEK.get(c) or SUBSCRIPTS.get(c) or c for c in unicodedata.normalize("NFD", spelling)
-    )
-    return unicodedata.normalize("NFC", letters.replace("_", "").replace("′", "'"))
+    apart = unicodedata.normalize("NFD", spelling)
+    dots = "".join(DOTS.get(c, "") for c in apart)  # wherever the dot stands, it is about the whole symbol
+    letters = "".join(GREEK.get(c) or SUBSCRIPTS.get(c) or c for c in apart if c not in DOTS)
+    stem = letters.rstrip("'′")
+    folded = stem + dots + letters[len(stem) :]
+    return unicodedata.normalize("NFC", folded.replace("_", "").replace("′", "'"))
 
 
 def _lettered(spelling: str) -> str:
@@ -85,7 +88,15 @@ class Symbols:
     def find(self, spelling: str) -> str | None:
         """Give the declared symbol that a spelling means, look-alike letters mapped, or None."""
         found = self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
-        return found or self._by_key.get(_lettered(spelling))
+        return found or self._by_key.get(_lettered(spelling)) or self._rate(spelling)
+
+    def _rate(self, spelling: str) -> str | None:
+        """Find a declared rate typed with a prime or as `x_dot`."""
+        for ending, mark in RATES.items():
+            if spelling.endswith(ending):
+                found = self._by_key.get(key(spelling.removesuffix(ending) + mark))
+                return found if found and found.endswith(mark) else None
+        return None
 
     def parts(self, spelling: str) -> list[str]:
         """Cut a run at its visible borders, behind a figure and between alphabets (`l1ω1`, `cosα1`).

@@ -15,7 +15,7 @@ def level(tree: Tree) -> int:
             return 0
         case Binary(operator=operator):
             return LEVELS[operator]
-        case Unary(operator="°"):
+        case Unary(operator="°") | Angle():
             return ATOM - 1
         case Unary():
             return 3
@@ -70,11 +70,18 @@ def _binary(operator: str, left: Tree, right: Tree, implicit: bool) -> str:
     if operator == "^":
         return f"{_in(left, ATOM)}^{_in(right, 3)}"
     if implicit:
-        return f"{_in(left, 2)} ({text_of(right)})" if _glues(right) else f"{_in(left, 2)} {_in(right, 4)}"
+        front = f"({text_of(left)})" if fraction(left) else _in(left, 2)
+        return f"{front} ({text_of(right)})" if _glues(right) else f"{front} {_in(right, 4)}"
     here = LEVELS[operator]
     after = here + 1
     gap = " " if here == 1 else ""
     return f"{_in(left, here)}{gap}{operator}{gap}{_in(right, after)}"
+
+
+def fraction(tree: Tree) -> bool:
+    """Tell whether a tree is a fraction whose end is in doubt when something follows; 1/2 x is not."""
+    plain = isinstance(tree, Binary) and isinstance(tree.left, Number) and isinstance(tree.right, Number)
+    return isinstance(tree, Binary) and tree.operator == "/" and not plain
 
 
 def _glues(tree: Tree) -> bool:

@@ -7,6 +7,7 @@ import unicodedata
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.latex_reader import is_latex, rewritten, through
 from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 
 MAX_LENGTH = 2000
@@ -39,11 +40,20 @@ class Token(NamedTuple):
 
 
 def tokenize(text: str) -> list[Token]:
-    """Cut a text into tokens, the last of kind `end`.
+    """Cut a text into tokens, the last of kind `end`; LaTeX is rewritten first, its places kept.
 
     Raises:
         AnswerSyntaxError: Empty or too long text, a character that is not in the language, a number that is too long.
     """
+    return _of_latex(text) if is_latex(text) else _tokens(text)
+
+
+def _of_latex(latex: str) -> list[Token]:
+    places = rewritten(latex).places
+    return [token._replace(position=places[token.position]) for token in through(latex, _tokens)]
+
+
+def _tokens(text: str) -> list[Token]:
     if len(text) > MAX_LENGTH:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
     plain = _plain(text)
@@ -155,3 +165,18 @@ def _separating_commas(plain: str) -> frozenset[int]:
 def _calls_two(plain: str, place: int) -> bool:
     head = plain[max(0, place - 8) : place].rstrip()
     return head.endswith(TWO_ARGUMENTS)
+
+
+def partners(tokens: list[Token]) -> dict[int, int]:
+    """Pair each `<` with the `>` that would close it, brackets between them balanced."""
+    opened: list[int] = []
+    found: dict[int, int] = {}
+    for at, token in enumerate(tokens):
+        if token.kind in ("(", "[", "<"):
+            opened.append(at)
+        elif token.kind == ">" and opened and tokens[opened[-1]].kind == "<":
+            found[opened.pop()] = at
+        elif token.kind in (")", "]"):
+            while opened and tokens[opened.pop()].kind == "<":
+                pass
+    return found

@@ -23,6 +23,11 @@ class Number:
         """Give the exact rational value; the reader bounds the exponent before this is called."""
         return Fraction(self.digits) * Fraction(10) ** self.exponent
 
+    @property
+    def whole(self) -> bool:
+        """Tell whether it is written as a whole number of at most nine figures."""
+        return not self.exponent and self.digits.isdigit() and len(self.digits) < 10
+
 
 @dataclass(frozen=True, slots=True)
 class Name:

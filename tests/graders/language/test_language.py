@@ -20,11 +20,14 @@ from graders.language.mathml import mathml_of, symbol_mathml
 from graders.language.program import Builder, Program, Runner
 from graders.language.text import text_of
 from graders.language.tree import names
-from tests.graders.language.trees import NAMES, angles, matrices, trees
+from tests.graders.language.trees import MATRICES, NAMES, matrices, relations, trees, written
 
-DECLARED = Symbols(NAMES)
+DECLARED = Symbols([*NAMES, *MATRICES])
 POINT = {"l1": 0.1, "l2": 0.3, "alpha1": 0.7, "omega1": 20.0, "R_A": 1250.0, "x": 1.5, "a": 1.0, "F1": 800.0} | {
     "psi_d": 2.0,
+    "phi1_dd": 3.5,
+    "k_adm": 1.2,
+    "y'": 0.6,
     "lambda": 0.4,
 }
 
@@ -35,13 +38,19 @@ def value(text: str) -> float:
 
 
 @settings(max_examples=300, deadline=None)
-@given(st.one_of(trees, angles, matrices))
+@given(st.one_of(written, matrices, relations))
 def test_a_printed_tree_reads_back_as_the_same_tree(tree: Tree) -> None:
     assert parse(text_of(tree), DECLARED) == tree
 
 
+@settings(max_examples=300, deadline=None)
+@given(st.one_of(written, matrices, relations), st.booleans())
+def test_a_tree_printed_as_latex_reads_back_as_the_same_tree(tree: Tree, comma: bool) -> None:
+    assert parse(latex_of(tree, comma), DECLARED) == tree
+
+
 @settings(max_examples=100, deadline=None)
-@given(st.one_of(trees, angles, matrices))
+@given(st.one_of(written, matrices))
 def test_mathml_is_well_formed_and_latex_balances_its_braces(tree: Tree) -> None:
     assert ElementTree.fromstring(mathml_of(tree)).tag == "math"
     latex = latex_of(tree)
@@ -117,7 +126,13 @@ def test_spellings_mean_what_an_engineer_means(typed: str, plain: str) -> None:
         ("x\x00", Reason.BAD_CHARACTER, 1),
         ("x\ud800", Reason.BAD_CHARACTER, 1),
         ("x;1", Reason.EXTRA_TEXT, 1),
-        ("2 3", Reason.EXTRA_TEXT, 2),
+        ("2 3", Reason.NEEDS_OPERATOR, 2),
+        ("2 1/2", Reason.MIXED_NUMBER, 2),
+        ("x^2 3", Reason.NEEDS_OPERATOR, 4),
+        ("<x-a>^-3", Reason.OUT_OF_RANGE, 5),
+        ("macaulay(x; 0.5)", Reason.OUT_OF_RANGE, 0),
+        ("(x]", Reason.EXTRA_BRACKET, 2),
+        ("e^x", Reason.UNKNOWN_NAME, 0),
         ("().__class__", Reason.BAD_CHARACTER, 2),
         ("__import__('os')", Reason.BAD_CHARACTER, 0),
         ("[x for x in l1]", Reason.UNKNOWN_NAME, 3),
@@ -134,7 +149,7 @@ def test_what_cannot_be_read_is_refused_with_its_place(typed: str, reason: Reaso
 def test_a_run_of_declared_names_is_proposed_as_a_product() -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         parse("ax(x+1)", DECLARED)
-    assert refused.value.proposal.meant == "a·x"
+    assert refused.value.proposal.meant == "a·x·(x+1)"
 
 
 def test_a_name_in_the_wrong_case_is_proposed_in_the_right_one() -> None:
