@@ -15,6 +15,8 @@ POISONED = "import sys; sys.modules[{poison!r}] = None; import {module}; "
     [
         ("mechanics.planar", "mechanics.slider_crank"),
         ("mechanics.slider_crank", "mechanics.planar"),
+        ("mechanics.newton_linkages", "mechanics.four_bar"),
+        ("mechanics.four_bar", "mechanics.planar"),
         ("mechanics.transform", "mechanics.chain"),
         ("mechanics.chain", "mechanics.transform"),
         ("mechanics.transform", "mechanics.rod_groups"),

@@ -1,0 +1,177 @@
+"""Four-bar linkage in closed form, both assemblies, with a point of the coupler (domain VP-4).
+
+Frame pivots A = (0, 0) and D = (l4, 0), crank AB, coupler BC, rocker DC. Angles counter-clockwise from +X; alpha2 is
+that of BC, alpha3 that of DC. Closure: l1 e(alpha1) + l2 e(alpha2) = l4 + l3 e(alpha3).
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import dataclass
+from math import atan2, cos, sin, sqrt
+from typing import Literal, get_args
+
+from mechanics.checks import finite, positive
+from mechanics.errors import AssemblyError, SingularError
+from mechanics.linkage import LinkageMotion, Singular
+
+Mode = Literal["C_left_of_BD", "C_right_of_BD"]
+
+REACH = 1e-12  # a gap below this part of the size is rounding, not distance
+DEAD = 1e-7  # sine of the angle between coupler and rocker below which it is the root of a rounding error
+DEAD_NAME = "coupler and rocker in line"
+_LARGEST = sys.float_info.max
+
+
+@dataclass(frozen=True, slots=True)
+class Position:
+    coupler_angle: float  # alpha2, rad, in (-pi, pi]
+    rocker_angle: float  # alpha3, rad, in (-pi, pi]
+
+
+def position(l1: float, l2: float, l3: float, l4: float, alpha1: float, mode: Mode = "C_left_of_BD") -> Position:
+    """Solve the position problem.
+
+    Args:
+        l1: Crank length, in metres, positive.
+        l2: Coupler length, in metres, positive.
+        l3: Rocker length, in metres, positive.
+        l4: Distance of the frame pivots, in metres, positive.
+        alpha1: Crank angle, in radians, any finite value.
+        mode: On which side of the way from B to D the joint C lies.
+
+    Returns:
+        Angles of coupler and rocker, in (-pi, pi].
+
+    Raises:
+        ValueError: A length is not positive and finite, the angle not finite, or the mode unknown.
+        AssemblyError: B and D are too far apart or too near for coupler and rocker to meet.
+
+    Source:
+        Domain VP-4.
+    """
+    _check(l1, l2, l3, l4, alpha1, mode)
+    x2, y2, x3, y3 = _vectors(l1 * cos(alpha1), l1 * sin(alpha1), l2, l3, l4, mode)
+    return Position(atan2(y2, x2), atan2(y3, x3))
+
+
+def assemblies(l1: float, l2: float, l3: float, l4: float, alpha1: float) -> tuple[Position, Position]:
+    """Solve the position problem of both assemblies: C left of BD, then right; arguments as for `position`."""
+    left = position(l1, l2, l3, l4, alpha1, "C_left_of_BD")
+    return left, position(l1, l2, l3, l4, alpha1, "C_right_of_BD")
+
+
+def _check(l1: float, l2: float, l3: float, l4: float, alpha1: float, mode: str) -> None:
+    if not (
+        0 < l1 <= _LARGEST and 0 < l2 <= _LARGEST and 0 < l3 <= _LARGEST and 0 < l4 <= _LARGEST
+        and -_LARGEST <= alpha1 <= _LARGEST
+    ):  # fmt: skip
+        for name, length in (("crank l1", l1), ("coupler l2", l2), ("rocker l3", l3), ("frame l4", l4)):
+            positive(name, length, "m")
+        finite("crank angle alpha1", alpha1, "rad")
+    if mode not in ("C_left_of_BD", "C_right_of_BD"):
+        raise ValueError(f"mode must be {' or '.join(get_args(Mode))}, not {mode!r}")
+
+
+def _vectors(x1: float, y1: float, l2: float, l3: float, l4: float, mode: Mode) -> tuple[float, float, float, float]:
+    """Give BC and DC: C is the corner of the triangle over BD, its height by Heron's formula."""
+    dx, dy = l4 - x1, -y1
+    square = dx * dx + dy * dy
+    f = sqrt(square)
+    heron = (l2 + l3 + f) * (l2 + l3 - f) * (l3 - l2 + f) * (l2 - l3 + f)
+    if heron <= 0.0:
+        heron = _stretched(f, l2, l3)
+    along = (l2 * l2 - l3 * l3 + square) / (2 * square)
+    across = sqrt(heron) / (2 * square)
+    if mode == "C_right_of_BD":
+        across = -across
+    x2, y2 = along * dx - across * dy, along * dy + across * dx
+    return x2, y2, x2 - dx, y2 - dy
+
+
+def _stretched(f: float, l2: float, l3: float) -> float:
+    """Let a gap of rounding pass as coupler and rocker in line; refuse a real one."""
+    gap = max(f - l2 - l3, abs(l2 - l3) - f)
+    if f == 0.0 or gap > REACH * max(f, l2, l3):
+        side = "too far for" if f > abs(l2 - l3) else "too near for"
+        raise AssemblyError(f"B and D are {f:.6g} m apart, {side} coupler {l2:g} m and rocker {l3:g} m to meet")
+    return 0.0
+
+
+def solve(
+    l1: float,
+    l2: float,
+    l3: float,
+    l4: float,
+    alpha1: float,
+    omega1: float = 0.0,
+    epsilon1: float = 0.0,
+    mode: Mode = "C_left_of_BD",
+    coupler_point: tuple[float, float] = (0.0, 0.0),
+) -> LinkageMotion:
+    """Solve position, velocity and acceleration of coupler, rocker and a point P of the coupler.
+
+    Args:
+        l1: Crank length, in metres, positive.
+        l2: Coupler length, in metres, positive.
+        l3: Rocker length, in metres, positive.
+        l4: Distance of the frame pivots, in metres, positive.
+        alpha1: Crank angle, in radians.
+        omega1: Crank angular velocity, in rad/s.
+        epsilon1: Crank angular acceleration, in rad/s^2.
+        mode: The assembly, as for `position`.
+        coupler_point: P in the axes of the coupler, in metres: u along BC from B, v to the left of BC.
+
+    Returns:
+        ``alpha2``, ``alpha3``, ``P_x``, ``P_y`` and their rates; the measure is |sin(alpha3 - alpha2)|, 0 where
+        coupler and rocker are in line.
+
+    Raises:
+        ValueError: A length is not positive and finite, another value not finite, or the mode unknown.
+        AssemblyError: Coupler and rocker cannot meet.
+        SingularError: Coupler and rocker are in line, where their rates are not determined.
+
+    Source:
+        Domain VP-4; the rates from the closure times the direction of the other vector.
+    """
+    _check(l1, l2, l3, l4, alpha1, mode)
+    u, v = coupler_point
+    if not abs(omega1) + abs(epsilon1) + abs(u) + abs(v) <= _LARGEST:
+        _refuse(omega1, epsilon1, u, v)
+    x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
+    x2, y2, x3, y3 = _vectors(x1, y1, l2, l3, l4, mode)
+    cross = x2 * y3 - y2 * x3
+    measure = abs(cross) / (l2 * l3)
+    if measure < DEAD:
+        raise SingularError(f"{DEAD_NAME} at {alpha1:g} rad: their angular velocities are not determined")
+    omega2 = -omega1 * (x1 * y3 - y1 * x3) / cross
+    omega3 = -omega1 * (x1 * y2 - y1 * x2) / cross
+    square1, square2, square3 = omega1 * omega1, omega2 * omega2, omega3 * omega3
+    kx = -epsilon1 * y1 - square1 * x1 - square2 * x2 + square3 * x3
+    ky = epsilon1 * x1 - square1 * y1 - square2 * y2 + square3 * y3
+    epsilon2 = -(kx * x3 + ky * y3) / cross
+    epsilon3 = -(kx * x2 + ky * y2) / cross
+    px, py = (u * x2 - v * y2) / l2, (u * y2 + v * x2) / l2  # BP
+    return LinkageMotion(
+        {"alpha2": atan2(y2, x2), "alpha3": atan2(y3, x3), "P_x": x1 + px, "P_y": y1 + py},
+        {"alpha2": omega2, "alpha3": omega3, "P_x": -omega1 * y1 - omega2 * py, "P_y": omega1 * x1 + omega2 * px},
+        {
+            "alpha2": epsilon2,
+            "alpha3": epsilon3,
+            "P_x": -epsilon1 * y1 - square1 * x1 - epsilon2 * py - square2 * px,
+            "P_y": epsilon1 * x1 - square1 * y1 + epsilon2 * px - square2 * py,
+        },
+        Singular(measure, DEAD_NAME),
+    )
+
+
+def _refuse(omega1: float, epsilon1: float, u: float, v: float) -> None:
+    finite("omega1", omega1, "rad/s")
+    finite("epsilon1", epsilon1, "rad/s^2")
+    finite("coupler point u", u, "m")
+    finite("coupler point v", v, "m")
+
+
+def crank_turns(l1: float, l2: float, l3: float, l4: float) -> bool:
+    """Tell whether the crank turns fully: |l1 - l4| and l1 + l4 are distances that coupler and rocker can span."""
+    return l1 + l4 <= l2 + l3 and abs(l1 - l4) >= abs(l2 - l3)
