@@ -57,9 +57,9 @@ def _reading(words: Mapping[str, Any], reason: Reason, position: int, found: str
 def tolerance(description: Mapping[str, Any], lang: str) -> str:
     """Word the tolerance of a field from its rule: `±0,5 %`; empty where answers are judged exactly."""
     rtol, atol, unit = description.get("rtol"), description.get("atol"), description.get("unit", "")
-    if not rtol and not atol:
-        return ""
     words = locale(lang)["tolerance"]
+    if not rtol and not atol:
+        return str(words["exact"]) if description.get("exact") else ""
     relative = decimal(100 * rtol, lang) if rtol else ""
     if "rows" in description:
         return str(words["entries"]).format(percent=relative)

@@ -8,7 +8,8 @@ from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.symbols import Symbols, latin
+from graders.language.symbols import Symbols
+from graders.options import LONGEST, letter_of, option_named
 from graders.verdict import RIGHT, Verdict, wrong
 
 
@@ -24,16 +25,15 @@ class Choice:
 
     def parse(self, text: str, symbols: Symbols) -> str:
         """Read a letter or the name of an option, `b`, `b)`, `(b)` or `sense = b`; raises AnswerSyntaxError."""
+        if len(text) > LONGEST:
+            raise AnswerSyntaxError(Reason.TOO_LONG, LONGEST)
         typed = text.rpartition("=")[2].strip().strip("().").strip()
         if not typed:
             raise AnswerSyntaxError(Reason.EMPTY, 0)
-        letters = {"abcdefghijkl"[i]: option for i, option in enumerate(self.options)}
-        for spelling in (typed, typed.lower(), latin(typed).lower()):
-            if spelling in self.options:
-                return spelling
-            if spelling in letters:
-                return letters[spelling]
-        raise AnswerSyntaxError(Reason.NOT_A_CHOICE, 0, typed[:20])
+        option = option_named(typed, self.options)
+        if option is None:
+            raise AnswerSyntaxError(Reason.NOT_A_CHOICE, max(0, text.find(typed)), typed[:20])
+        return option
 
     def check(self, answer: str, reference: str) -> Verdict:
         """Judge exactly."""
@@ -45,7 +45,7 @@ class Choice:
 
     def samples(self, reference: str) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
-        letter = "abcdefghijkl"[self.options.index(reference)]
+        letter = letter_of(reference, self.options)
         return Samples(
             (reference, letter, f" {letter}) "), tuple(o for o in self.options if o != reference), ("", "?", "zz")
         )

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.latex_reader import is_latex, through
 from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
@@ -29,6 +30,8 @@ class Integer:
         """Read `12`, `-3`, `45,0`, `z3 = 45`; raises AnswerSyntaxError."""
         if not text.strip():
             raise AnswerSyntaxError(Reason.EMPTY, 0)
+        if is_latex(text):
+            return through(text, lambda plain: self.parse(plain, symbols))
         found = WHOLE.fullmatch(text.translate(FULL_WIDTH)) if len(text) <= 60 else None
         if found is None or not found[2].isascii():
             raise AnswerSyntaxError(Reason.NOT_AN_INTEGER, 0, text.strip()[:20])

@@ -126,8 +126,9 @@ class _Reader:
         """Braces group; around a mark they only keep it close: `3{,}5`."""
         inside = self.latex[self.at + 1 : self.at + 3]
         if inside in (",}", ".}", "=}", "<}", ">}"):
+            decimal = inside == ",}" and self.latex[place - 1 : place].isdigit()
             self.at += 3
-            self.sheet.write(inside[0], place)
+            self.sheet.write("." if decimal and self.next().isdigit() else inside[0], place)
             return
         self.sheet.write("(", place)
         self.braces()

@@ -272,8 +272,9 @@ class _Parser:
             rows.append(self.row(nested))
         self.close(opened)
         self.depth -= 1
-        if not nested and len(rows) == len(rows[0]) == 1:  # [a + b] c: square brackets around round ones
-            return rows[0][0]
+        first = rows[0][0]
+        if not nested and len(rows) == len(rows[0]) == 1 and isinstance(first, Binary):  # [a + b] c is a product
+            return first
         if len({len(row) for row in rows}) > 1:
             raise self.error(Reason.RAGGED_MATRIX, opened)
         if max(len(rows), len(rows[0])) > MAX_MATRIX:

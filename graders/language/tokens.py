@@ -167,6 +167,18 @@ def _calls_two(plain: str, place: int) -> bool:
     return head.endswith(TWO_ARGUMENTS)
 
 
+def after_name(text: str) -> int:
+    """Give the place behind a name with `=` in front of a number (`i = -4`, `= 12`), or 0.
+
+    Raises:
+        AnswerSyntaxError: The text cannot be cut into tokens.
+    """
+    tokens = tokenize(text)
+    front = [token.kind for token in tokens[:2]]
+    named = "=" in front and front[0] in ("name", "=")
+    return tokens[front.index("=") + 1].position if named else 0
+
+
 def partners(tokens: list[Token]) -> dict[int, int]:
     """Pair each `<` with the `>` that would close it, brackets between them balanced."""
     opened: list[int] = []

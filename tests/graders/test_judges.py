@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
@@ -13,16 +14,20 @@ from graders import (
     KINDS,
     AnswerSyntaxError,
     Choice,
+    Choices,
     Code,
     Expression,
     Formula,
     Grader,
     Integer,
     Matrix,
+    Ordering,
     Outcome,
     Quantity,
+    Rational,
     States,
     Symbols,
+    Text,
 )
 from graders.language import Reason, parse, parse_line
 from graders.verdict import OUTCOMES, Entries, Witness
@@ -40,6 +45,14 @@ RIGHT: list[tuple[Grader, Any, Symbols]] = [
     (Quantity("mm", atol=1e-5), 0.0032, NOTHING),
     (Integer(), 45.0, NOTHING),
     (Choice(("strength", "stiffness")), "stiffness", NOTHING),
+    (Choices(("crank", "rod", "rocker", "slider")), "crank; rocker", NOTHING),
+    (Choices(("crank", "rod")), "", NOTHING),
+    (Choices(("crank", "rod")), "rod; crank", NOTHING),
+    (Ordering(("draw", "solve", "check")), "draw; solve; check", NOTHING),
+    (Rational(), -8 / 3, NOTHING),
+    (Rational(rtol=0.01), 4.0, NOTHING),
+    (Rational(either=True), 0.25, NOTHING),
+    (Text(), "", NOTHING),
     (Matrix(2, 2), ((0.5, -0.25), (0.0, 1.0)), NOTHING),
     (Expression("omega2"), OMEGA2, SYMBOLS),
 ]
@@ -52,9 +65,8 @@ def judged(grader: Grader, text: str, reference: Any, symbols: Symbols = NOTHING
 @pytest.mark.parametrize(("grader", "reference", "symbols"), RIGHT)
 def test_a_judge_passes_its_own_samples(grader: Grader, reference: Any, symbols: Symbols) -> None:
     samples = grader.samples(reference)
-    assert {judged(grader, text, reference, symbols) for text in (*samples.right, grader.show(reference))} == {
-        Code.RIGHT
-    }
+    right = {Code.KEPT} if grader.kind == "text" else {Code.RIGHT}
+    assert {judged(grader, text, reference, symbols) for text in (*samples.right, grader.show(reference))} == right
     assert all(judged(grader, text, reference, symbols) is not Code.RIGHT for text in samples.wrong)
     for text in samples.unreadable:
         with pytest.raises(AnswerSyntaxError):
@@ -70,8 +82,8 @@ def test_every_kind_stands_in_the_registry_under_its_name() -> None:
 def test_a_judge_echoes_what_it_read_and_describes_its_field(grader: Grader, reference: Any, symbols: Symbols) -> None:
     answer = grader.parse(grader.show(reference), symbols)
     assert grader.echo(answer).text
-    assert set(grader.describe()) <= {"unit", "rtol", "atol", "rows", "columns", "options"}
-    assert grader.carried(answer) is not None
+    assert grader.describe() == json.loads(json.dumps(grader.describe()))
+    assert grader.carried(answer) is not None or grader.kind == "text"
     assert grader.apart(reference, reference) == 0
 
 
@@ -287,6 +299,138 @@ def test_an_option_is_chosen_by_letter_or_name(typed: str) -> None:
         assert judged(judge, typed, "stiffness") is Code.RIGHT
 
 
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("a; c", Code.RIGHT, 1),
+        ("C,A", Code.RIGHT, 1),
+        ("ca", Code.RIGHT, 1),
+        ("links = crank; rocker", Code.RIGHT, 1),
+        ("(a) c)", Code.RIGHT, 1),
+        ("a", Code.SOME_ITEMS, 0.5),
+        ("a; b; c", Code.SOME_ITEMS, 0.5),
+        ("a; b", Code.WRONG, 0),
+        ("abcd", Code.WRONG, 0),
+        ("b; d", Code.WRONG, 0),
+        ("-", Code.WRONG, 0),
+    ],
+)
+def test_several_choices_earn_their_share_and_all_of_them_nothing(typed: str, code: Code, score: float) -> None:
+    judge = Choices(("crank", "rod", "rocker", "slider"))
+    verdict = judge.check(judge.parse(typed, NOTHING), "crank; rocker")
+    assert (verdict.code, verdict.score) == (code, score)
+
+
+@given(st.integers(2, 8).flatmap(lambda n: st.tuples(st.just(n), st.sets(st.integers(0, n - 1)))))
+def test_ticking_at_random_earns_nothing_on_the_average(drawn: tuple[int, set[int]]) -> None:
+    """The mean over all selections of one size of share of right less share of wrong ones is zero."""
+    count, right = drawn
+    options = tuple(f"option{k}" for k in range(count))
+    judge, reference = Choices(options), "; ".join(options[k] for k in right)
+    assert judge.check(frozenset(options), reference).score == (1 if len(right) == count else 0)
+    assert judge.check(frozenset(), reference).score == (0 if right else 1)
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("a; b; c; d", Code.RIGHT, 1),
+        ("a → b → c → d", Code.RIGHT, 1),
+        ("abcd", Code.RIGHT, 1),
+        ("b; a; c; d", Code.SOME_ITEMS, 2 / 3),
+        ("a; c; d; b", Code.SOME_ITEMS, 1 / 3),
+        ("b; a; d; c", Code.SOME_ITEMS, 1 / 3),
+        ("d; a; b; c", Code.WRONG, 0),
+        ("d; c; b; a", Code.WRONG, 0),
+    ],
+)
+def test_an_order_earns_by_its_pairs(typed: str, code: Code, score: float) -> None:
+    judge = Ordering(("one", "two", "three", "four"))
+    verdict = judge.check(judge.parse(typed, NOTHING), "one; two; three; four")
+    assert verdict.code is code
+    assert verdict.score == pytest.approx(score)
+
+
+@pytest.mark.parametrize(
+    ("judge", "typed", "reason", "place"),
+    [
+        (Ordering(("one", "two", "three")), "a; c", Reason.MISSING_ITEM, 4),
+        (Ordering(("one", "two", "three")), "a; c; a", Reason.REPEATED_ITEM, 6),
+        (Ordering(("one", "two", "three")), "a; q; b", Reason.NOT_A_CHOICE, 3),
+        (Choices(("one", "two", "three")), "a; a", Reason.REPEATED_ITEM, 3),
+        (Choices(("one", "two", "three")), " ; ", Reason.EMPTY, 0),
+        (Choices(("one", "two", "three")), "a;" * 300, Reason.TOO_LONG, 400),
+        (Choice(("one", "two")), " " * 500 + "a", Reason.TOO_LONG, 400),
+        (Choice(("one", "two")), " zz", Reason.NOT_A_CHOICE, 1),
+        (Text(longest=5), "123456", Reason.TOO_LONG, 5),
+        (Text(), "ab\u202e", Reason.BAD_CHARACTER, 2),
+        (Rational(), "3" * 300, Reason.TOO_LONG, 200),
+        (Rational(), "sin(1)", Reason.NOT_A_FRACTION, 0),
+        (Rational(), "9^9^9", Reason.NOT_A_FRACTION, 0),
+        (Rational(), "9^12", Reason.OUT_OF_RANGE, 0),
+        (Rational(), "i = 1/(2-2)", Reason.OUT_OF_RANGE, 4),
+        (Rational(), "2 1/2", Reason.MIXED_NUMBER, 2),
+        (Rational(), r"\frac{8}{}", Reason.EMPTY_BOX, 8),
+        (Integer(), r"\frac{8}{2}", Reason.NOT_AN_INTEGER, 0),
+    ],
+)
+def test_what_no_small_judge_reads_is_refused_with_its_place(
+    judge: Grader, typed: str, reason: Reason, place: int
+) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        judge.parse(typed, NOTHING)
+    assert (refused.value.reason, refused.value.position) == (reason, place)
+
+
+@pytest.mark.parametrize(
+    ("judge", "typed", "code"),
+    [
+        (Rational(), "-8/3", Code.RIGHT),
+        (Rational(), "−8 : 3", Code.RIGHT),
+        (Rational(), "i_14 = -8/3", Code.RIGHT),
+        (Rational(), "8/(-3)", Code.RIGHT),
+        (Rational(), "-(80/20)*(40/60)", Code.RIGHT),
+        (Rational(), "-2 - 2/3", Code.RIGHT),
+        (Rational(), r"-\frac{8}{3}", Code.RIGHT),
+        (Rational(), r"i_{14}=-\frac83", Code.RIGHT),
+        (Rational(), "8/3", Code.OPPOSITE_SIGN),
+        (Rational(), "-3/8", Code.INVERTED_RATIO),
+        (Rational(), "3/8", Code.WRONG),
+        (Rational(), "-2,667", Code.NOT_EXACT),
+        (Rational(), "-2.666666666666667", Code.NOT_EXACT),
+        (Rational(), "0", Code.WRONG),
+        (Rational(rtol=0.005), "-2,667", Code.RIGHT),
+        (Rational(rtol=0.005), "-2,69", Code.NOT_PRECISE),
+        (Rational(either=True), "-3:8", Code.RIGHT),
+        (Rational(either=True), "3:8", Code.WRONG),
+        (Rational(), "(2^3)/(-3)", Code.RIGHT),
+    ],
+)
+def test_a_ratio_is_judged_by_its_declared_direction_and_exactly(judge: Rational, typed: str, code: Code) -> None:
+    assert judged(judge, typed, -8 / 3) is code
+
+
+@given(st.integers(-200_000, 200_000).filter(bool), st.integers(1, 200_000))
+def test_a_product_of_teeth_is_recovered_from_its_double(over: int, under: int) -> None:
+    assert judged(Rational(), f"{over}/{under}", over / under) is Code.RIGHT
+
+
+@pytest.mark.parametrize(("one", "other", "apart"), [(2.0, 2.0, 0), (2.0, 2.02, 0.990099), (4.0, 0.25, 93.75)])
+def test_ratios_with_a_tolerance_lie_apart_by_it(one: float, other: float, apart: float) -> None:
+    assert Rational(rtol=0.01).apart(one, other) == pytest.approx(apart, rel=1e-5)
+    assert Rational().apart(one, other) == (math.inf if apart else 0)
+    assert Rational(either=True).apart(4.0, 0.25) == 0
+
+
+def test_a_text_is_kept_and_is_no_right_answer() -> None:
+    judge = Text()
+    verdict = judge.check(judge.parse("Prędkość rośnie.\r\nТак и должно быть.", NOTHING), "")
+    assert (verdict.outcome, verdict.score) == (Outcome.UNDECIDED, 0)
+    assert judge.echo(judge.parse(" a\r\nb ", NOTHING)).text == "a\nb"
+    assert judge.apart("a", "b") == 0
+    assert judge.show("") == "…"
+
+
 def test_every_code_has_an_outcome_and_words_in_every_language() -> None:
     assert set(OUTCOMES) == set(Code)
     for lang in LANGUAGES:
@@ -309,6 +453,7 @@ def test_the_tolerance_at_a_field_is_made_from_its_rule(lang: str, shown: str) -
     assert tolerance(Quantity("mm").describe(), lang) == shown
     assert "0,01 mm" in tolerance(Quantity("mm", atol=1e-5).describe(), "pl")
     assert tolerance(Integer().describe(), lang) == ""
+    assert tolerance(Rational().describe(), lang) == locale(lang)["tolerance"]["exact"]
     assert "0" in tolerance(Matrix(4, 4).describe(), lang)
 
 
