@@ -20,8 +20,8 @@ CODE = [
     
     ("l1~l2", 2),
     ("l1 and l2", 3), ("not l1", 0), ("True", 0), ("None", 0), ("print(l1)", 0), ("globals()", 0), ("l1?l2", 2),
-    ("sin.__globals__", 3), ("\\input{l1}", 0), ("l1\\write18{ls}", 2), ("\\def\\x{l1}", 0), ("\\sqrt{\\csname x\\endcsname}", 6),
-    ("<script>alert(1)</script>", 1), ("' OR 1=1 --", 0),
+    ("sin.__globals__", 3), ("\\input{l1}", 0), ("l1\\write18{ls}", 2), ("\\def\\x{l1}", 0),
+    ("\\sqrt{\\csname x\\endcsname}", 6), ("<script>alert(1)</script>", 1), ("' OR 1=1 --", 0),
 ]  # fmt: skip
 ROOMS = ("cli", "server", "exercises", "graders", "mechanics", "figures")
 DANGEROUS = {

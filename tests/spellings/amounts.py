@@ -1,7 +1,9 @@
-"""Correct rewritings and wrong mutants of a number with a unit, a whole number and a choice."""
+"""Correct rewritings and wrong mutants of a number with a unit, a whole number, a ratio and choices."""
 
 from __future__ import annotations
 
+from fractions import Fraction
+from itertools import combinations, islice, permutations
 from math import copysign, pi, remainder
 
 from tests.spellings.figures import arc, comma, fraction, rounded, scientific
@@ -132,8 +134,89 @@ def integer(name: str, value: float) -> Spelled:
 def wrong_integer(value: float) -> Spelled:
     """Give wrong texts for a whole number."""
     n = round(value)
-    others = (n + 1, n - 1, -n, 10 * n, 2 * n, n + 10, n * n, -n - 1, 0, 1000 * n, n + 2)
-    return [("another number", str(other)) for other in others if other != n]
+    others = (
+        n + 1,
+        n - 1,
+        -n,
+        10 * n,
+        2 * n,
+        n + 10,
+        n * n,
+        -n - 1,
+        0,
+        1000 * n,
+        n + 2,
+        n - 2,
+        n + 3,
+        n + 5,
+        n - 7,
+        n + 100,
+    )
+    return [("another number", str(other)) for other in dict.fromkeys(others) if other != n]
+
+
+def ratio(name: str, value: float) -> Spelled:
+    """Give texts for an exact ratio."""
+    over, under = Fraction(value).limit_denominator(10**6).as_integer_ratio()
+    sign, size = ("-", -over) if over < 0 else ("", over)
+    return [
+        ("in lowest terms", f"{over}/{under}"), ("spaces", f" {over} / {under} "), ("ratio", f"{over}:{under}"),
+        ("ratio with spaces", f"{over} : {under}"), ("name", f"{name} = {over}/{under}"),
+        ("not in lowest terms", f"{7 * over}/{7 * under}"), ("sign in front of brackets", f"{sign}({size}/{under})"),
+        ("sign below the line", f"{size}/({sign}{under})" if sign else f"{size}/(+{under})"),
+        ("true minus", f"{over}/{under}".replace("-", "−")), ("division sign", f"{over}÷{under}"),
+        ("product", f"({over}/3)*(3/{under})"), ("a line of the formula editor", rf"{sign}\frac{{{size}}}{{{under}}}"),
+        ("two signs", f"-(-{over}/{under})" if not sign else f"-({size}/{under})"), ("decimals", f"{over},0/{under}.0"),
+    ]  # fmt: skip
+
+
+def wrong_ratio(value: float, rtol: float) -> Spelled:
+    """Give wrong texts for an exact ratio."""
+    exact = Fraction(value).limit_denominator(10**6)
+    near = [Fraction(str(round(value, places))) for places in (1, 2, 3)]
+    others = [
+        -exact,
+        1 / exact,
+        -1 / exact,
+        exact + 1,
+        exact - 1,
+        2 * exact,
+        exact / 2,
+        1 - exact,
+        exact**2,
+        10 * exact,
+    ]
+    wrong = [other for other in (*others, *near, Fraction(0)) if abs(other - exact) > rtol * abs(exact)]
+    return [("another ratio", str(other)) for other in dict.fromkeys(wrong)]
+
+
+def several(value: str, options: tuple[str, ...]) -> Spelled:
+    """Give texts for a selection, or for an order, of options."""
+    chosen = [part for part in value.split("; ") if part]
+    letters = ["abcdefghijkl"[options.index(part)] for part in chosen]
+    if not chosen:
+        return [("none", text) for text in ("-", "none", "brak", "нет", "∅", " - ")]
+    joined = {
+        "semicolons": "; ",
+        "commas": ", ",
+        "blanks": " ",
+        "close semicolons": ";",
+        "arrows": " → ",
+        "ASCII": "->",
+    }
+    found = [(f"names with {kind}", mark.join(chosen)) for kind, mark in joined.items()]
+    found += [(f"letters with {kind}", mark.join(letters)) for kind, mark in joined.items()]
+    return [*found, ("capitals", "; ".join(letters).upper()), ("name in front", f"x = {'; '.join(letters)}")]
+
+
+def wrong_several(value: str, options: tuple[str, ...], ordered: bool) -> Spelled:
+    """Give selections, or orders, that are not right."""
+    chosen = tuple(part for part in value.split("; ") if part)
+    if ordered:
+        other = [p for p in islice(permutations(chosen), 200) if p != chosen][-12:]
+        return [("another order", "; ".join(p)) for p in other]
+    every = [s for size in range(1, len(options) + 1) for s in combinations(options, size) if set(s) != set(chosen)]
+    return [("another selection", "; ".join(s)) for s in every[-12:]]
 
 
 def choice(name: str, value: str, options: tuple[str, ...]) -> Spelled:
@@ -158,4 +241,16 @@ def wrong_choice(value: str, options: tuple[str, ...]) -> Spelled:
     ]
 
 
-__all__ = ["GROUPS", "choice", "integer", "quantity", "wrong_choice", "wrong_integer", "wrong_quantity"]
+__all__ = [
+    "GROUPS",
+    "choice",
+    "integer",
+    "quantity",
+    "ratio",
+    "several",
+    "wrong_choice",
+    "wrong_integer",
+    "wrong_quantity",
+    "wrong_ratio",
+    "wrong_several",
+]

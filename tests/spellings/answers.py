@@ -7,7 +7,7 @@ from typing import Any
 
 from exercises.givens import numbers
 from exercises.solving import Solved
-from graders import Choice, Expression, Integer, Matrix, Quantity
+from graders import Choice, Choices, Expression, Integer, Matrix, Ordering, Quantity, Rational
 from tests.spellings import amounts, formulas, grids
 from tests.spellings.hand import formula
 
@@ -56,6 +56,9 @@ RIGHT: dict[type, Kind] = {
     Quantity: lambda solved, name: amounts.quantity(solved.step_of(name), _float(solved, name), _unit(solved, name)),
     Integer: lambda solved, name: amounts.integer(solved.step_of(name), _float(solved, name)),
     Choice: lambda solved, name: amounts.choice(name, _any(solved, name), _grader(solved, name).options),
+    Rational: lambda solved, name: amounts.ratio(solved.step_of(name), _float(solved, name)),
+    Choices: lambda solved, name: amounts.several(_any(solved, name), _grader(solved, name).options),
+    Ordering: lambda solved, name: amounts.several(_any(solved, name), _grader(solved, name).options),
     Matrix: lambda solved, name: grids.matrix(solved.step_of(name), _any(solved, name), _grader(solved, name).units),
     Expression: _formulas,
 }
@@ -65,6 +68,9 @@ WRONG: dict[type, Kind] = {
     ),
     Integer: lambda solved, name: amounts.wrong_integer(_float(solved, name)),
     Choice: lambda solved, name: amounts.wrong_choice(_any(solved, name), _grader(solved, name).options),
+    Rational: lambda solved, name: amounts.wrong_ratio(_float(solved, name), _grader(solved, name).rtol),
+    Choices: lambda solved, name: amounts.wrong_several(_any(solved, name), _grader(solved, name).options, False),
+    Ordering: lambda solved, name: amounts.wrong_several(_any(solved, name), _grader(solved, name).options, True),
     Matrix: lambda solved, name: grids.wrong_matrix(
         _any(solved, name), _grader(solved, name).units, _grader(solved, name).rtol
     ),
