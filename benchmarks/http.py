@@ -1,6 +1,7 @@
 """Graded, durable submissions per second over HTTP, against the same server with only the grading taken out.
 
-Both servers run the same application, middleware, schema and commit path; `NoGrading` is the whole difference.
+Both servers run the same application, middleware, schema and commit path; `NoGrading` is the whole difference. Every
+client hands in to twelve variants of its own in turn, as a class does; the server may keep what it solved.
 Rounds alternate, so that a busy machine slows both. Run: ``uv run python benchmarks/http.py``.
 """
 
@@ -33,6 +34,7 @@ from server.settings import Settings  # noqa: E402
 
 EXERCISE = "slider_crank"
 SEED = 7
+OWN = 12  # variants of each client
 
 
 class NoGrading(JudgingThread):
@@ -58,11 +60,10 @@ def serve(folder: str, port: int, graded: bool) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A server under load: its port, the variant answered, the cookie that owns it."""
+    """A server under load: its port, and the requests of each client."""
 
     port: int
-    variant: str
-    cookie: str
+    requests: tuple[tuple[bytes, ...], ...]
 
 
 async def call(port: int, request: bytes) -> tuple[bytes, bytes]:
@@ -88,33 +89,41 @@ def post(path: str, body: object, cookie: str = "") -> bytes:
     return f"{head}Content-Length: {len(content)}\r\nCookie: {cookie}\r\n\r\n".encode() + content
 
 
-async def prepare(port: int) -> Target:
-    """Wait for a server and take a variant."""
+async def prepare(port: int, clients: int) -> Target:
+    """Wait for a server; every client takes its variants and writes the right answers to them."""
     for _ in range(300):
         try:
-            head, body = await call(port, post(f"/api/v1/exercises/{EXERCISE}/variants", {"seed": SEED}))
+            await call(port, post(f"/api/v1/exercises/{EXERCISE}/variants", {"seed": SEED}))
         except OSError:
             await asyncio.sleep(0.1)
             continue
-        cookie = next(line for line in head.decode().split("\r\n") if line.lower().startswith("set-cookie:"))
-        return Target(port, json.loads(body)["id"], cookie.split(":", 1)[1].split(";")[0].strip())
+        own = [[await take(port, SEED + client * OWN + number) for number in range(OWN)] for client in range(clients)]
+        return Target(port, tuple(map(tuple, own)))
     raise SystemExit("the server does not start")
 
 
-async def load(target: Target, requests: int, clients: int) -> float:
+async def take(port: int, seed: int) -> bytes:
+    """Take a variant; gives the request that hands in the right answers to it."""
+    head, body = await call(port, post(f"/api/v1/exercises/{EXERCISE}/variants", {"seed": seed}))
+    cookie = next(line for line in head.decode().split("\r\n") if line.lower().startswith("set-cookie:"))
+    path = f"/api/v1/variants/{json.loads(body)['id']}/submissions"
+    answers = grading.reference(deal(EXERCISE, seed))
+    return post(path, {"answers": answers}, cookie.split(":", 1)[1].split(";")[0].strip())
+
+
+async def load(target: Target, requests: int) -> float:
     """Hand in as fast as the server answers; gives submissions per second."""
-    answers = grading.reference(deal(EXERCISE, SEED))
-    request = post(f"/api/v1/variants/{target.variant}/submissions", {"answers": answers}, target.cookie)
+    clients = len(target.requests)
     started = time.perf_counter()
-    await asyncio.gather(*(one_client(target.port, request, requests // clients) for _ in range(clients)))
+    await asyncio.gather(*(one_client(target.port, own, requests // clients) for own in target.requests))
     return requests // clients * clients / (time.perf_counter() - started)
 
 
-async def one_client(port: int, request: bytes, requests: int) -> None:
+async def one_client(port: int, own: tuple[bytes, ...], requests: int) -> None:
     """One student's browser: one connection, one request after the other."""
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
-    for _ in range(requests):
-        writer.write(request)
+    for number in range(requests):
+        writer.write(own[number % len(own)])
         head, body = await receive(reader)
         if not head.startswith(b"HTTP/1.1 201"):
             raise SystemExit(f"not acknowledged: {head!r} {body!r}")
@@ -123,11 +132,11 @@ async def one_client(port: int, request: bytes, requests: int) -> None:
 
 async def measure(ports: dict[str, int], rounds: int, requests: int, clients: int) -> dict[str, list[float]]:
     """Load the servers in turn."""
-    targets = {name: await prepare(port) for name, port in ports.items()}
+    targets = {name: await prepare(port, clients) for name, port in ports.items()}
     rates: dict[str, list[float]] = {name: [] for name in ports}
     for _ in range(rounds + 1):
         for name, target in targets.items():
-            rates[name].append(await load(target, requests, clients))
+            rates[name].append(await load(target, requests))
     return {name: found[1:] for name, found in rates.items()}  # the first round warms up
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from exercises import catalogue
+from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
 from exercises.solving import NO_SECRET, Solved, solve
 from exercises.variants import predictions
@@ -35,7 +35,7 @@ def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = 
     Raises:
         UnknownAnswer: An answer that is not asked for.
     """
-    solved = Solved(catalogue.load(submission.variant.exercise).exercise, submission.variant, secret)
+    solved = solving.solved(submission.variant, secret)
     unknown = sorted(set(submission.answers) - set(solved.answers))
     if unknown:
         raise UnknownAnswer(unknown[0])
@@ -66,7 +66,7 @@ def preview(variant: Variant, answer: str, text: str, comma: bool = False) -> Ec
     Raises:
         UnknownAnswer: The exercise does not ask for this answer.
     """
-    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    solved = solving.solved(variant)
     if answer not in solved.answers:
         raise UnknownAnswer(answer)
     read = _read(solved, answer, text)
@@ -75,7 +75,7 @@ def preview(variant: Variant, answer: str, text: str, comma: bool = False) -> Ec
 
 def reference(variant: Variant) -> dict[str, str]:
     """Give for each answer a text that a student could type and that is graded right."""
-    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    solved = solving.solved(variant)
     return {name: grader.show(solved.reference(name)) for name, grader in solved.answers.items()}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from exercises import catalogue
+from exercises import catalogue, solving
 from exercises.exercise import Variant
 from exercises.givens import numbers
 from exercises.solving import Solved
@@ -71,7 +71,7 @@ def words_of(exercise_id: str, lang: str) -> Words:
 def presented(variant: Variant, lang: str) -> Presented:
     """Present a variant in a language."""
     entry = catalogue.load(variant.exercise)
-    words, solved, seen = entry.words[lang], Solved(entry.exercise, variant), list[Printed]()
+    words, solved, seen = entry.words[lang], solving.solved(variant), list[Printed]()
     statement = fill(words["statement"], variant.givens, words, lang, seen)
     figure = entry.exercise.figure
     return Presented(
@@ -129,7 +129,7 @@ def hint_text(variant: Variant, mistake: str, lang: str) -> str:
 def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
     """Give the worked solution: the steps in order with the variant's numbers."""
     entry = catalogue.load(variant.exercise)
-    words, solved = entry.words[lang], Solved(entry.exercise, variant)
+    words, solved = entry.words[lang], solving.solved(variant)
     units = _units(solved)
     lines = []
     for name, line in solved.steps.items():

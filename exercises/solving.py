@@ -7,8 +7,10 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import islice
 from typing import Any
 
+from exercises import catalogue
 from exercises.draw import Draw
 from exercises.exercise import AnyExercise, Line, Steps, Variant
 from exercises.givens import Domain, domains, numbers, words_of
@@ -102,6 +104,7 @@ class Solved:
     values: dict[str, Value] = field(init=False)
     answers: Mapping[str, Grader] = field(init=False)
     steps: Steps = field(init=False)
+    _formulas: Formulas = field(init=False)
     _states: dict[str, States] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -109,6 +112,7 @@ class Solved:
         self.steps = self.exercise.steps_of(givens)
         self.answers = self.exercise.answers_of(givens)
         self.values = solve(self.exercise, givens)
+        self._formulas = self._topology()
 
     def step_of(self, answer: str) -> str:
         """Give the step an answer asks for."""
@@ -132,48 +136,99 @@ class Solved:
 
     def symbols(self, answer: str) -> Symbols:
         """Give the names an answer may use: all givens and the steps strictly before its own."""
-        step = self.step_of(answer)
-        givens = numbers(self.variant.givens)
-        usable = [name for name, _ in self._lines(step)] if step in self.steps else []
-        return Symbols([*givens, *usable], [*self.steps, *givens])
-
-    def _lines(self, step: str) -> tuple[tuple[str, Tree], ...]:
-        """Give the formula steps before a step; what stands on a function step cannot be typed."""
-        known = set(numbers(self.variant.givens))
-        found: list[tuple[str, Tree]] = []
-        for name, line in self.steps.items():
-            if name == step:
-                break
-            tree = parse_line(line) if isinstance(line, str) else None
-            if tree is not None and names_in(tree) <= known and not isinstance(self.values[name], tuple):
-                known.add(name)
-                found.append((name, tree))
-        return tuple(found)
+        return self._formulas.symbols(self.step_of(answer))
 
     def states(self, step: str) -> States:
         """Give points of the givens' domain at which the variant's topology can be assembled."""
         if step not in self._states:
-            line = self.steps.get(step, "0")
-            tree = parse_line(line) if isinstance(line, str) else parse_line("0")
-            self._states[step] = self._drawn(step, tree)
+            self._states[step] = self._drawn(step)
         return self._states[step]
 
-    def _drawn(self, step: str, tree: Tree) -> States:
-        from graders.equality import domain_test
+    def _topology(self) -> Formulas:
+        """Find the formulas of this topology: their form does not depend on the numbers of the variant."""
+        lines = tuple((name, line if isinstance(line, str) else None) for name, line in self.steps.items())
+        matrices = frozenset(name for name in self.steps if isinstance(self.values[name], tuple))
+        return _formulas(tuple(numbers(self.variant.givens)), lines, matrices)
 
-        ranges, lines = domains(self.variant.givens), self._lines(step)
+    def _drawn(self, step: str) -> States:
+        ranges, formulas = domains(self.variant.givens), self._formulas
         rng = Draw(self.secret.hex(), self.variant.exercise, self.variant.seed, step)
         points: list[tuple[float, ...]] = []
-        names = tuple(ranges)
-        defined = domain_test(tree, names, lines)
-        for turn in range(TRIES):
-            point = tuple(_inside(rng, domain, turn) for domain in ranges.values())
+        names, defined = tuple(ranges), formulas.defined(step)
+        for point in islice(_spread(rng, tuple(ranges.values())), TRIES):
             if defined(point):
                 points.append(point)
             if len(points) == POINTS:
                 ends = _ends(points, tuple(ranges.values()))
-                return States(names, (*points, *filter(defined, ends)), lines)
+                return States(names, (*points, *filter(defined, ends)), formulas.before(step))
         raise UndefinedError(f"{self.variant.exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
+
+
+@lru_cache(maxsize=1024)
+def solved(variant: Variant, secret: bytes = NO_SECRET) -> Solved:
+    """Solve a variant, or give it again: the same one is shown, previewed and graded in turn.
+
+    Raises:
+        UnknownExercise: No exercise has the variant's id.
+    """
+    return Solved(catalogue.load(variant.exercise).exercise, variant, secret)
+
+
+@dataclass(frozen=True, slots=True)
+class Formulas:
+    """The steps of a topology that are formulas: which names stand before each, and where each has a value.
+
+    Attributes:
+        givens: Names of the numeric givens.
+        lines: All steps in order; None for a function.
+        matrices: Names of the steps whose value is a matrix.
+    """
+
+    givens: tuple[str, ...]
+    lines: tuple[tuple[str, str | None], ...]
+    matrices: frozenset[str]
+    _before: dict[str, tuple[tuple[str, Tree], ...]] = field(init=False, default_factory=dict, compare=False)
+    _symbols: dict[str, Symbols] = field(init=False, default_factory=dict, compare=False)
+    _defined: dict[str, Callable[[tuple[float, ...]], bool]] = field(init=False, default_factory=dict, compare=False)
+
+    def before(self, step: str) -> tuple[tuple[str, Tree], ...]:
+        """Give the formula steps before a step; what stands on a function step cannot be typed."""
+        if step not in self._before:
+            self._before[step] = tuple(self._usable(step))
+        return self._before[step]
+
+    def _usable(self, step: str) -> Iterator[tuple[str, Tree]]:
+        known = set(self.givens)
+        for name, line in self.lines:
+            if name == step:
+                break
+            tree = parse_line(line) if line is not None else None
+            if tree is not None and names_in(tree) <= known and name not in self.matrices:
+                known.add(name)
+                yield name, tree
+
+    def symbols(self, step: str) -> Symbols:
+        """Give the names that an answer for a step may use, and those it may not."""
+        if step not in self._symbols:
+            steps = dict(self.lines)
+            usable = [name for name, _ in self.before(step)] if step in steps else []
+            self._symbols[step] = Symbols([*self.givens, *usable], [*steps, *self.givens])
+        return self._symbols[step]
+
+    def defined(self, step: str) -> Callable[[tuple[float, ...]], bool]:
+        """Give the test that tells whether a step has a value at a point of the givens."""
+        if step not in self._defined:
+            from graders.equality import domain_test
+
+            self._defined[step] = domain_test(
+                parse_line(dict(self.lines).get(step) or "0"), self.givens, self.before(step)
+            )
+        return self._defined[step]
+
+
+@lru_cache(maxsize=1024)
+def _formulas(givens: tuple[str, ...], lines: tuple[tuple[str, str | None], ...], matrices: frozenset[str]) -> Formulas:
+    return Formulas(givens, lines, matrices)
 
 
 def _ends(points: list[tuple[float, ...]], ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:
@@ -184,9 +239,30 @@ def _ends(points: list[tuple[float, ...]], ranges: tuple[Domain, ...]) -> Iterat
             yield (*point[:at], end, *point[at + 1 :])
 
 
-def _inside(rng: Draw, domain: Domain, turn: int) -> float:
-    """Draw a value; the turns walk through sixteenths of the range in different orders."""
+def _spread(rng: Draw, ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:
+    """Fill the box evenly from a drawn start.
+
+    Source:
+        Kronecker sequence of the powers of the generalized golden ratio: M. Roberts, The unreasonable effectiveness of
+        quasirandom sequences, 2018.
+    """
+    steps = _golden(len(ranges))
+    place = [rng.uniform(0.0, 1.0) for _ in ranges]
+    while True:
+        yield tuple(_scaled(share, domain) for share, domain in zip(place, ranges, strict=True))
+        place = [(share + step) % 1.0 for share, step in zip(place, steps, strict=True)]
+
+
+@lru_cache(maxsize=64)
+def _golden(count: int) -> tuple[float, ...]:
+    """Give the powers of 1/g, where g is the root of g^(count + 1) = g + 1."""
+    ratio = 2.0
+    for _ in range(64):
+        ratio = (1 + ratio) ** (1 / (count + 1))
+    return tuple(ratio**-power for power in range(1, count + 1))
+
+
+def _scaled(share: float, domain: Domain) -> float:
     if domain.integer:
-        return float(int(domain.low) + rng.below(int(domain.high - domain.low) + 1))
-    stratum = (turn * 7 + rng.below(POINTS)) % POINTS
-    return domain.low + (domain.high - domain.low) * (stratum + rng.uniform(0.02, 0.98)) / POINTS
+        return domain.low + float(int(share * (domain.high - domain.low + 1)))
+    return domain.low + (domain.high - domain.low) * (0.001 + 0.998 * share)
