@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.proposals import nearest
 from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.tokens import SAME, SPACES
 
@@ -126,8 +127,9 @@ class _UnitReader:
         self.place = found.end()
 
     def error(self) -> AnswerSyntaxError:
-        reason = Reason.NEEDS_OPERAND if self.kind == "end" else Reason.UNKNOWN_UNIT
-        return AnswerSyntaxError(reason, self.start, self.piece)
+        if self.kind == "end":
+            return AnswerSyntaxError(Reason.NEEDS_OPERAND, self.start)
+        return AnswerSyntaxError(Reason.UNKNOWN_UNIT, self.start, self.piece, nearest_unit(self.piece))
 
     def product(self) -> Unit:
         unit, divide = self.power(), False
@@ -194,6 +196,12 @@ class _UnitReader:
         return found
 
 
+@lru_cache(maxsize=512)
+def nearest_unit(piece: str) -> str:
+    """Give the unit that a piece may mean: `kN` for KN, `MPa` for Mpa; empty where none is near."""
+    return nearest(piece, {name: name for name in (*TABLE, *COMPOUNDS)}) if piece.isalpha() and len(piece) < 9 else ""
+
+
 def _named(piece: str) -> tuple[Unit, Unit] | None:
     unit = TABLE.get(piece)
     return (NONE, unit) if unit else COMPOUNDS.get(piece)
@@ -215,6 +223,13 @@ def _tag(one: Unit, other: Unit, power: int) -> str:
     if one == NONE and power == 1:
         return other.tag
     return one.tag if other == NONE else "turn" if "turn" in (one.tag, other.tag) else ""
+
+
+def tidy(text: str) -> str:
+    """Take the blanks and the needless brackets out of a unit that a formula editor wrote."""
+    plain = re.sub(r" *([-*/^().]) *", r"\1", text).strip()
+    plain = re.sub(r"\(([^()*/ ]+)\)", r"\1", re.sub(r"\(([^()*/ ]+)\)", r"\1", plain))
+    return plain[1:-1] if plain[:1] == "(" and plain.find(")") == len(plain) - 1 else plain
 
 
 def fits(typed: Unit, expected: Unit) -> bool:

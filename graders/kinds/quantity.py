@@ -5,19 +5,20 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.latex_reader import is_latex, through
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
-from graders.language.tokens import Token, tokenize
+from graders.language.tokens import MAX_LENGTH, Token, tokenize
 from graders.language.tree import Angle, Number, Tree, Unary, walk
-from graders.units import Unit, fits, read_unit, readings
+from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
@@ -64,6 +65,11 @@ class Quantity:
 
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
+        if is_latex(text):
+            amount = through(text, lambda plain: self.parse(plain, symbols))
+            return replace(amount, unit_text=tidy(amount.unit_text))
+        if len(text) > MAX_LENGTH:
+            raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
         expected = read_unit(self.unit)
         text = TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text))
         tree, number, rest, at = _plain_number(text) or _read_number(text)
@@ -162,7 +168,8 @@ def _unit_at(text: str, place: int) -> Unit:
     try:
         return read_unit(text)
     except AnswerSyntaxError as error:
-        raise AnswerSyntaxError(error.reason, place + error.position, error.proposal.found) from None
+        found = error.proposal
+        raise AnswerSyntaxError(error.reason, place + error.position, found.found, found.meant) from None
 
 
 def _plain_number(text: str) -> tuple[Tree, float, str, int] | None:
@@ -226,8 +233,9 @@ def _unit_starts(tokens: list[Token], end: int) -> int:
             break
     else:
         return end
-    if at > 1 and tokens[at - 1].kind == "(":  # 12 (mm)
-        at -= 1
+    if at > 1 and tokens[at - 1].kind == "(":  # 12 (mm), 12 ((N)/(mm^2))
+        while at > 1 and tokens[at - 1].kind == "(":
+            at -= 1
     elif at and tokens[at - 1].kind == "/":
         at -= 1
         if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
