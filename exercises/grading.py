@@ -140,7 +140,11 @@ def _plausible(value: Value, right: Value) -> bool:
 
 def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> str | None:
     """Name the known slip that predicts every answer given, if some answer is wrong."""
-    given = {name: answer for name, answer in read.items() if not isinstance(answer, Verdict)}
+    given = {
+        name: answer
+        for name, answer in read.items()
+        if not isinstance(answer, Verdict) and verdicts[name].code is not Code.KEPT
+    }
     if not any(verdicts[name].outcome is Outcome.WRONG or verdicts[name] is FOLLOWED for name in given):
         return None
     for mistake, expected in predictions(solved).items():

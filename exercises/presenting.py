@@ -11,7 +11,7 @@ from exercises.givens import numbers
 from exercises.solving import Solved
 from exercises.words import Printed, Words, fill, html, indexed, inline, plain, printed_unit, with_unit
 from figures.picture import Picture
-from graders import Choice, Quantity, Value
+from graders import Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, symbol_mathml
 from graders.language.text import text_of
@@ -96,7 +96,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
     grader = solved.answers[name]
     described, prompt = grader.describe(), indexed(words["answers"], name)
     symbols = sorted(solved.symbols(name).names) if grader.symbolic else []
-    options = words["choices"][name] if isinstance(grader, Choice) else {}
+    options = words["choices"][name] if "options" in described else {}
     return Field(
         name=name,
         kind=grader.kind,
@@ -135,7 +135,8 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
     for name, line in solved.steps.items():
         tree = parse_line(line) if isinstance(line, str) else None
         value = _shown(solved.values[name], units.get(name, _unit_of(name, words)), lang)
-        value = plain(words.get("choices", {}).get(name, {}).get(value, value))
+        chosen = words.get("choices", {}).get(name, {})
+        value = "; ".join(plain(chosen.get(part, part)) for part in value.split("; "))
         formula = mathml_of(tree, lang != "en") if tree else ""
         heading = inline(indexed(words["steps"], name))
         lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))
