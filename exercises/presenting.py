@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -106,7 +107,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         unit=described.get("unit", ""),
         unit_text=printed_unit(described.get("unit", ""), lang),
         symbols=tuple(sorted(symbols, key=lambda s: (s not in numbers(solved.variant.givens), s))),
-        tolerance_text=tolerance({**described, "unit": printed_unit(described.get("unit", ""), lang)}, lang),
+        tolerance_text=tolerance(_rule(described, lang), lang),
         rtol=described.get("rtol"),
         atol=described.get("atol"),
         rows=described.get("rows", 0),
@@ -114,6 +115,12 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
     )
+
+
+def _rule(described: Mapping[str, Any], lang: str) -> dict[str, Any]:
+    """Give the description of a field with its units as they are printed."""
+    rule = {**described, "unit": printed_unit(described.get("unit", ""), lang)}
+    return {**rule, **{key: [_rule(one, lang) for one in described[key]] for key in ("components",) if key in rule}}
 
 
 def hint(variant: Variant, mistake: str, lang: str) -> str:

@@ -89,8 +89,10 @@ def agree(one: Value, other: Value, relative: float = AGREEMENT) -> bool:
     if isinstance(one, str) or isinstance(other, str):
         return one == other
     if isinstance(one, tuple) and isinstance(other, tuple):
+        if [len(row) for row in one] != [len(row) for row in other]:
+            return False
         pairs = [(a, b) for x, y in zip(one, other, strict=True) for a, b in zip(x, y, strict=True)]
-        scale = max(1.0, *(abs(b) for _, b in pairs))
+        scale = max([1.0, *(abs(b) for _, b in pairs)])
         return all(abs(a - b) <= relative * scale for a, b in pairs)
     if isinstance(one, tuple) or isinstance(other, tuple):
         return False

@@ -9,6 +9,7 @@ from graders.kinds.matrix import Matrix
 from graders.kinds.ordering import Ordering
 from graders.kinds.quantity import Quantity
 from graders.kinds.rational import Rational
+from graders.kinds.set import Set
 from graders.kinds.text import Text
 from graders.language import AnswerSyntaxError, Symbols
 from graders.verdict import Code, Outcome, Verdict
@@ -22,6 +23,7 @@ KINDS: dict[str, type[Grader]] = {  # one row an answer kind
     "ordering": Ordering,
     "quantity": Quantity,
     "rational": Rational,
+    "set": Set,
     "text": Text,
 }
 
@@ -43,6 +45,7 @@ __all__ = [
     "Rational",
     "Reference",
     "Samples",
+    "Set",
     "States",
     "Symbols",
     "Text",

@@ -36,6 +36,10 @@ class Code(StrEnum):
     UNDEFINED = "undefined"
     SOME_ENTRIES = "some_entries"
     SOME_ITEMS = "some_items"
+    SOME_BRANCHES = "some_branches"
+    LOST_BRANCH = "lost_branch"
+    SURPLUS_BRANCH = "surplus_branch"
+    DOUBLED_BRANCH = "doubled_branch"
     WRONG_SHAPE = "wrong_shape"
     EMPTY = "empty"
     UNREADABLE = "unreadable"
@@ -58,6 +62,10 @@ OUTCOMES = {
     Code.UNDEFINED: Outcome.WRONG,
     Code.SOME_ENTRIES: Outcome.PARTLY,
     Code.SOME_ITEMS: Outcome.PARTLY,
+    Code.SOME_BRANCHES: Outcome.PARTLY,
+    Code.LOST_BRANCH: Outcome.PARTLY,
+    Code.SURPLUS_BRANCH: Outcome.PARTLY,
+    Code.DOUBLED_BRANCH: Outcome.PARTLY,
     Code.WRONG_SHAPE: Outcome.WRONG,
     Code.EMPTY: Outcome.UNREADABLE,
     Code.UNREADABLE: Outcome.UNREADABLE,
@@ -91,7 +99,15 @@ class Witness:
     point: tuple[tuple[str, float], ...]
 
 
-Details: TypeAlias = Reading | Entries | Witness | None
+@dataclass(frozen=True, slots=True)
+class Branches:
+    """Details of a set that is right in part: how many branches are right, and how many are given."""
+
+    right: int
+    given: int
+
+
+Details: TypeAlias = Reading | Entries | Witness | Branches | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from graders.language.errors import Reason
-from graders.verdict import Code, Entries, Reading, Verdict
+from graders.verdict import Branches, Code, Entries, Reading, Verdict
 
 LANGUAGES = ("pl", "en", "ru")
 LOCALES = Path(__file__).parent / "locales"
@@ -45,6 +45,8 @@ def message(verdict: Verdict, lang: str) -> str:
         case Entries(wrong=off, total=total):
             places = ", ".join(f"({row}, {column})" for row, column in off[:6]) + ("…" if len(off) > 6 else "")
             return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)
+        case Branches(right=right, given=given):
+            return str(words["codes"][verdict.code.value]).format(right=right, given=given)
         case _:
             return str(words["codes"][verdict.code.value])
 
@@ -56,6 +58,8 @@ def _reading(words: Mapping[str, Any], reason: Reason, position: int, found: str
 
 def tolerance(description: Mapping[str, Any], lang: str) -> str:
     """Word the tolerance of a field from its rule: `±0,5 %`; empty where answers are judged exactly."""
+    if "components" in description:
+        return _tolerances(description["components"], lang)
     rtol, atol, unit = description.get("rtol"), description.get("atol"), description.get("unit", "")
     words = locale(lang)["tolerance"]
     if not rtol and not atol:
@@ -66,3 +70,10 @@ def tolerance(description: Mapping[str, Any], lang: str) -> str:
     if not atol:
         return str(words["relative"]).format(percent=relative)
     return str(words["both"]).format(percent=relative, least=decimal(atol, lang), unit=unit)
+
+
+def _tolerances(components: Sequence[Mapping[str, Any]], lang: str) -> str:
+    """Word the tolerances of the numbers of an item: once where they are the same."""
+    rules = [tolerance(component, lang) for component in components]
+    named = [f"{c['name']}: {rule}" if c["name"] else rule for c, rule in zip(components, rules, strict=True)]
+    return rules[0] if len(set(rules)) == 1 else "; ".join(named)

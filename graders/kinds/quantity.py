@@ -99,7 +99,7 @@ class Quantity:
         if value and reference:
             if self._close(-value, reference):
                 return Code.OPPOSITE_SIGN
-            power = round(math.log10(abs(value / reference)))
+            power = round(math.log10(min(max(abs(value / reference), 1 / GREATEST), GREATEST)))
             if power and abs(power) <= 12 and self._close(value / 10.0**power, reference):
                 return Code.FACTOR_OF_TEN
             if abs(value - reference) <= 5 * max(self.rtol * abs(reference), self.atol):

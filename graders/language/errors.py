@@ -37,6 +37,7 @@ class Reason(StrEnum):
     NOT_A_CHOICE = "not_a_choice"
     REPEATED_ITEM = "repeated_item"
     MISSING_ITEM = "missing_item"
+    NEEDS_COMPONENTS = "needs_components"
     NOT_AN_EXPRESSION = "not_an_expression"
     OUT_OF_RANGE = "out_of_range"
 
