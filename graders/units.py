@@ -26,7 +26,8 @@ class Unit:
     tag: str = ""
 
 
-L, M, T, A, K = 0, 1, 2, 3, 4
+LONGEST = 120
+GREATEST = 1e150  # of a factor to SI
 NONE = Unit((0, 0, 0, 0, 0), 1.0)
 
 
@@ -100,11 +101,18 @@ def read_unit(text: str) -> Unit:
     Raises:
         AnswerSyntaxError: Unknown unit, with its place in the text.
     """
+    if len(text) > LONGEST:
+        raise AnswerSyntaxError(Reason.UNKNOWN_UNIT, 0, text[:12])
     plain = "".join(" " if c in SPACES else SAME.get(c, "μ" if c == "µ" else c) for c in text)
     reader = _UnitReader(plain)
-    unit = reader.product()
+    try:
+        unit = reader.product()
+    except (OverflowError, ZeroDivisionError):
+        raise AnswerSyntaxError(Reason.TOO_LARGE, 0, text[:12]) from None
     if reader.kind != "end":
         raise reader.error()
+    if not 1 / GREATEST < unit.factor < GREATEST:
+        raise AnswerSyntaxError(Reason.TOO_LARGE, 0, text[:12])
     return unit
 
 
@@ -153,6 +161,8 @@ class _UnitReader:
             return self.exponent()
         if self.kind == "raised":
             power = int("".join(SUPERSCRIPTS[c] for c in self.piece[:3]))
+            if abs(power) > 9:
+                raise self.error()
             self.step()
             return power
         if self.piece == "-" and self.text[self.place : self.place + 1].isdigit():  # s-1

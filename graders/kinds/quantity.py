@@ -220,7 +220,9 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     if not isinstance(number, float):
         raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, number_text.strip()[:20])
     rest = text[cut:].lstrip()
-    rest = "1" + rest if rest.startswith(("/", "∕", "÷")) else rest
+    cut = len(text) - len(rest)
+    if rest.startswith(("/", "∕", "÷")):
+        return tree, number, "1" + rest, cut - 1
     return tree, number, rest, cut
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import lru_cache
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
@@ -70,25 +71,31 @@ def _tokens(text: str) -> list[Token]:
     if not tokens:
         raise AnswerSyntaxError(Reason.EMPTY, 0)
     tokens.append(Token("end", "", len(text)))
-    return [_canonical(token) for token in tokens]
+    return tokens
 
 
 def _plain(text: str) -> str:
     """Map each character to one character of the language, so that places stay as typed."""
     if text.isascii() and text.isprintable() and ":" not in text:
         return text
-    mapped = []
-    for place, char in enumerate(text):
-        if char in SPACES:
-            mapped.append(" ")
-        elif "\uff01" <= char <= "\uff5e":  # full-width forms
-            mapped.append(chr(ord(char) - 0xFEE0))
-        elif unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn") or (char.isdigit() and not _figure(char)):
-            raise AnswerSyntaxError(Reason.BAD_CHARACTER, place, f"U+{ord(char):04X}")
-        else:
-            same = SAME.get(char, char)
-            mapped.append(same if len(same) == 1 else char)
+    mapped = [_mapped(char) for char in text]
+    if "" in mapped:
+        place = mapped.index("")
+        raise AnswerSyntaxError(Reason.BAD_CHARACTER, place, f"U+{ord(text[place]):04X}")
     return "".join(mapped)
+
+
+@lru_cache(maxsize=4096)
+def _mapped(char: str) -> str:
+    """Give the character of the language that a character means; empty where it is invisible or a foreign figure."""
+    if char in SPACES:
+        return " "
+    if "\uff01" <= char <= "\uff5e":  # full-width forms
+        return chr(ord(char) - 0xFEE0)
+    if unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn") or (char.isdigit() and not _figure(char)):
+        return ""
+    same = SAME.get(char, char)
+    return same if len(same) == 1 else char
 
 
 def _figure(char: str) -> bool:
@@ -106,7 +113,7 @@ def _next(plain: str, place: int, separating: frozenset[int]) -> Token:
     kind, text = found.lastgroup or "", found.group()
     if kind == "number":
         return _number(plain, place, text, separating)
-    return Token(kind if kind != "operator" else text, text, place)
+    return Token(kind if kind != "operator" else "^" if text == "**" else text, text, place)
 
 
 def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> Token:
@@ -127,12 +134,6 @@ def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> 
     if len(digits) > MAX_DIGITS:
         raise AnswerSyntaxError(Reason.TOO_LARGE, place, digits[:12] + "…")
     return Token("number", plain[place:end].translate(POWER_OF_TEN), place)
-
-
-def _canonical(token: Token) -> Token:
-    if token.kind == "**":
-        return token._replace(kind="^")
-    return token
 
 
 def exponent_of(literal: str) -> tuple[str, int]:

@@ -1,0 +1,91 @@
+"""Random texts against tokenizer, parser, LaTeX reader, unit reader and every judge: crashes, slow answers, shares.
+
+A third of the texts follow the grammar, nearly half are mutations of real answers in three languages, the rest is
+LaTeX and any characters. All follow from the seed, whatever the number of processes. Run:
+``uv run python benchmarks/fuzz.py --inputs 300000 --processes 2``.
+Exit code 1 on a crash, an answer above 50 ms, or when too few texts pass the tokenizer (30 %) or reach a judge (10 %).
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
+
+import argparse  # noqa: E402
+import time  # noqa: E402
+import tracemalloc  # noqa: E402
+from functools import lru_cache, partial  # noqa: E402
+from multiprocessing import get_context  # noqa: E402
+
+from graders import KINDS  # noqa: E402
+from tests.graders.fuzzing.attack import Found, Target, attack, one, targets  # noqa: E402
+
+CHUNK = 5000
+TOKENS, JUDGED = 0.30, 0.10
+MEGABYTE = 1e6
+
+
+@lru_cache(maxsize=1)
+def every(exercises: tuple[str, ...]) -> list[Target]:
+    """Give the targets, made once a process."""
+    return targets(exercises)
+
+
+def chunk(exercises: tuple[str, ...], seed: int, inputs: int, number: int) -> Found:
+    """Attack with the texts of one chunk."""
+    size = min(CHUNK, inputs - number * CHUNK)
+    return attack(every(exercises), seed * 1_000_003 + number, size)
+
+
+def memory(exercises: tuple[str, ...], slowest: list[tuple[float, str, str]]) -> float:
+    """Give the greatest memory, in megabytes, that one of the slowest texts takes at any judge of its kind."""
+    greatest = 0.0
+    for _, kind, text in slowest:
+        target = next(t for t in every(exercises) if t.grader.kind == kind)
+        tracemalloc.start()
+        one(target, text, Found())
+        greatest = max(greatest, tracemalloc.get_traced_memory()[1] / MEGABYTE)
+        tracemalloc.stop()
+    return greatest
+
+
+def report(found: Found, seconds: float, megabytes: float) -> bool:
+    """Print what was found and tell whether all is as it should be."""
+    tokens, judged = found.tokens / found.inputs, found.judged / found.inputs
+    print(f"{found.inputs} inputs in {seconds:.0f} s: {found.inputs / seconds:.0f} inputs/s")
+    print(f"{tokens:.1%} pass the tokenizer, {judged:.1%} reach a judge, {found.right / found.inputs:.1%} are right")
+    print("judged:", ", ".join(f"{kind} {count}" for kind, count in found.kinds.most_common()))
+    print("refused:", ", ".join(f"{reason} {count}" for reason, count in found.reasons.most_common(12)))
+    unreached = sorted(set(KINDS) - set(found.kinds))
+    print("kinds not reached:", ", ".join(unreached) or "none")
+    for cost, kind, text in found.slowest[:5]:
+        print(f"  {cost * 1e3:.1f} ms {kind} {text[:80]!r}")
+    print(f"greatest memory of the slowest texts: {megabytes:.1f} MB")
+    print(f"{len(found.crashes)} crashes, {len(found.slow)} answers above 50 ms")
+    for line in [*found.crashes[:10], *found.slow[:10]]:
+        print("  " + line)
+    return not found.crashes and not found.slow and tokens >= TOKENS and judged >= JUDGED and megabytes <= 20
+
+
+def main() -> int:
+    """Run the benchmark."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("exercises", nargs="*", metavar="ID")
+    parser.add_argument("--inputs", type=int, default=300_000)
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    exercises, total = tuple(arguments.exercises), Found()
+    start = time.perf_counter()
+    with get_context("spawn").Pool(arguments.processes) as pool:
+        work = partial(chunk, exercises, arguments.seed, arguments.inputs)
+        for found in pool.imap_unordered(work, range(-(-arguments.inputs // CHUNK))):
+            total.add(found)
+    seconds = time.perf_counter() - start
+    return 0 if report(total, seconds, memory(exercises, total.slowest)) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

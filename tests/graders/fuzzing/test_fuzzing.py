@@ -1,0 +1,102 @@
+"""A small part of `benchmarks/fuzz.py` in every run: no text makes a reader or a judge fail, and none costs much."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+from functools import lru_cache
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from graders import KINDS
+from tests.graders.fuzzing.attack import Found, Target, attack, one, targets
+
+KNOWN = (
+    "slider_crank", "rrr_matrices", "gear_train", "simple_beam", "stepped_shaft",
+)  # fmt: skip
+LONGEST = 0.5  # s: ten times the promise, for a machine that does other work as well
+MOST_MEMORY = 20e6
+MENDED = [
+    "25/dJ/",
+    "93,75N/mm²²²",
+    "5 /",
+    "5 mm/(m^9/m^9)^9^9",
+    "1 1/",
+    "5 (((((m",
+    "5 \\frac{m}{s",
+    "2 " + "Gm^9*" * 20 + "s",
+]
+HOSTILE = [
+    "exp(" * 50 + "l1" + ")" * 50, "tan(" * 55 + "pi/2" + ")" * 55, "+".join(["tan(l1)^99"] * 150), "l1^1e999",
+    "sin(9e999*l1)^9e999", "(1+1e-900)^1e900", "atan2(0*l1; 0*l1)", "|l1-l1|/(l1-l1)", "macaulay(l1-l1; 0)", "root(l1-l1; 1e9)",
+    "9" * 60 + "e999", "√" * 1900 + "l1", "x<" * 900, "F<a>^1" * 300, "|" * 1999, "\\sqrt" * 1000, "\\frac" * 1100,
+    "{" * 5000 + "\\", "\\left(" * 800, "\\begin{bmatrix}" * 300, "x_{" * 1900, "\\dot{" * 800, "a·" * 999, "ab" * 990,
+    "5 " + "mm*" * 400, "5 " + "(" * 100, "1 000 " * 300, "x10^" * 400, "log_9(" * 300, ",5" * 999, "\\alpha" * 900,
+    "^" * 1999, "5 " + "²" * 1900, "a; " * 900, "-" * 1999 + "1", "[" * 1999, "'" * 1999 + "\\x", "deg " * 400,
+]  # fmt: skip
+
+
+@lru_cache(maxsize=1)
+def every() -> tuple[Target, ...]:
+    return tuple(targets(KNOWN, (1,)))
+
+
+def each_kind() -> dict[str, Target]:
+    return {target.grader.kind: target for target in every()}
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_random_text_makes_a_reader_or_a_judge_fail(seed: int) -> None:
+    assert attack(every(), seed, 1000).crashes == []
+
+
+def test_enough_random_texts_pass_the_tokenizer_and_reach_a_judge() -> None:
+    found = attack(every(), 11, 1500)
+    assert found.tokens >= 0.3 * found.inputs
+    assert found.judged >= 0.1 * found.inputs
+    assert set(found.kinds) <= set(KINDS)
+    assert len(found.kinds) >= 6
+
+
+def test_the_same_seed_hands_in_the_same_texts() -> None:
+    one_run, other = attack(every(), 5, 300), attack(every(), 5, 300)
+    assert (one_run.tokens, one_run.kinds, one_run.reasons) == (other.tokens, other.kinds, other.reasons)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.integers(0, 10**6), st.text(max_size=60) | st.text(alphabet="\\{}^_frac&leftigh()[]|12x,. ", max_size=60))
+def test_any_characters_are_read_or_refused_with_a_place_inside_them(number: int, text: str) -> None:
+    found = Found()
+    one(every()[number % len(every())], text, found)
+    assert found.crashes == []
+
+
+@pytest.mark.parametrize("text", [*MENDED, *HOSTILE])
+def test_hostile_text_is_answered_at_once_by_every_judge(text: str) -> None:
+    for target in each_kind().values():
+        found, start = Found(), time.process_time()
+        one(target, text, found)
+        assert found.crashes == []
+        assert time.process_time() - start < LONGEST
+
+
+def test_hostile_text_takes_little_memory() -> None:
+    tracemalloc.start()
+    try:
+        for text in HOSTILE:
+            one(every()[-1], text, Found())
+        assert tracemalloc.get_traced_memory()[1] < MOST_MEMORY
+    finally:
+        tracemalloc.stop()
+
+
+def test_what_two_processes_found_is_joined() -> None:
+    one_run, other = attack(every(), 1, 50), attack(every(), 2, 50)
+    total = Found()
+    total.add(one_run)
+    total.add(other)
+    assert total.inputs == 100
+    assert total.judged == one_run.judged + other.judged
+    assert total.slowest[0][0] == max(one_run.slowest[0][0], other.slowest[0][0])
