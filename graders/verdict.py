@@ -41,6 +41,38 @@ class Code(StrEnum):
     SURPLUS_BRANCH = "surplus_branch"
     DOUBLED_BRANCH = "doubled_branch"
     WRONG_SHAPE = "wrong_shape"
+    # polygons and their derivatives
+    NO_LINK = "no_link"
+    WRONG_LENGTH = "wrong_length"
+    LENGTH_VARIES = "length_varies"
+    WRONG_ANGLE = "wrong_angle"
+    ANGLE_VARIES = "angle_varies"
+    REVERSED_ANGLE = "reversed_angle"
+    INTERIOR_ANGLE = "interior_angle"
+    OPEN_POLYGON = "open_polygon"
+    CLOSURE_SIGN = "closure_sign"
+    DEPENDENT_LOOP = "dependent_loop"
+    MISSING_LOOP = "missing_loop"
+    NO_CLOSURE = "no_closure"
+    NO_PROJECTION = "no_projection"
+    PROJECTION_SIGN = "projection_sign"
+    SINE_COSINE = "sine_cosine"
+    TERM_MISSING = "term_missing"
+    SWAPPED_PROJECTIONS = "swapped_projections"
+    WRONG_PROJECTION = "wrong_projection"
+    NOT_DETERMINED = "not_determined"
+    NO_UNKNOWNS = "no_unknowns"
+    UNKNOWN_MISSING = "unknown_missing"
+    UNKNOWN_EXTRA = "unknown_extra"
+    CORIOLIS_MISSING = "coriolis_missing"
+    CORIOLIS_FACTOR = "coriolis_factor"
+    CENTRIPETAL_MISSING = "centripetal_missing"
+    TANGENTIAL_MISSING = "tangential_missing"
+    SQUARE_MISSING = "square_missing"
+    RATE_SIGN = "rate_sign"
+    CHAIN_RULE = "chain_rule"
+    UNKNOWN_RATE = "unknown_rate"
+    WRONG_RATES = "wrong_rates"
     EMPTY = "empty"
     UNREADABLE = "unreadable"
     UNDECIDED = "undecided"
@@ -67,6 +99,37 @@ OUTCOMES = {
     Code.SURPLUS_BRANCH: Outcome.PARTLY,
     Code.DOUBLED_BRANCH: Outcome.PARTLY,
     Code.WRONG_SHAPE: Outcome.WRONG,
+    Code.NO_LINK: Outcome.PARTLY,
+    Code.WRONG_LENGTH: Outcome.PARTLY,
+    Code.LENGTH_VARIES: Outcome.PARTLY,
+    Code.WRONG_ANGLE: Outcome.PARTLY,
+    Code.ANGLE_VARIES: Outcome.PARTLY,
+    Code.REVERSED_ANGLE: Outcome.PARTLY,
+    Code.INTERIOR_ANGLE: Outcome.PARTLY,
+    Code.OPEN_POLYGON: Outcome.PARTLY,
+    Code.CLOSURE_SIGN: Outcome.PARTLY,
+    Code.DEPENDENT_LOOP: Outcome.PARTLY,
+    Code.MISSING_LOOP: Outcome.PARTLY,
+    Code.NO_CLOSURE: Outcome.PARTLY,
+    Code.NO_PROJECTION: Outcome.PARTLY,
+    Code.PROJECTION_SIGN: Outcome.PARTLY,
+    Code.SINE_COSINE: Outcome.PARTLY,
+    Code.TERM_MISSING: Outcome.PARTLY,
+    Code.SWAPPED_PROJECTIONS: Outcome.PARTLY,
+    Code.WRONG_PROJECTION: Outcome.PARTLY,
+    Code.NOT_DETERMINED: Outcome.PARTLY,
+    Code.NO_UNKNOWNS: Outcome.PARTLY,
+    Code.UNKNOWN_MISSING: Outcome.PARTLY,
+    Code.UNKNOWN_EXTRA: Outcome.PARTLY,
+    Code.CORIOLIS_MISSING: Outcome.PARTLY,
+    Code.CORIOLIS_FACTOR: Outcome.PARTLY,
+    Code.CENTRIPETAL_MISSING: Outcome.PARTLY,
+    Code.TANGENTIAL_MISSING: Outcome.PARTLY,
+    Code.SQUARE_MISSING: Outcome.PARTLY,
+    Code.RATE_SIGN: Outcome.PARTLY,
+    Code.CHAIN_RULE: Outcome.PARTLY,
+    Code.UNKNOWN_RATE: Outcome.PARTLY,
+    Code.WRONG_RATES: Outcome.PARTLY,
     Code.EMPTY: Outcome.UNREADABLE,
     Code.UNREADABLE: Outcome.UNREADABLE,
     Code.UNDECIDED: Outcome.UNDECIDED,
@@ -93,6 +156,22 @@ class Entries:
 
 
 @dataclass(frozen=True, slots=True)
+class Flaw:
+    """One defect of a polygon or of its derivatives: what it is, of which vector or name, in which equation."""
+
+    code: Code
+    subject: str = ""
+    place: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Flaws:
+    """Details of a polygon that is right in part: every defect found, the first one first."""
+
+    found: tuple[Flaw, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Witness:
     """A point at which the answer is proved to differ from the reference (names with exact decimals)."""
 
@@ -107,7 +186,7 @@ class Branches:
     given: int
 
 
-Details: TypeAlias = Reading | Entries | Witness | Branches | None
+Details: TypeAlias = Reading | Entries | Witness | Branches | Flaws | None
 
 
 @dataclass(frozen=True, slots=True)

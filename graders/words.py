@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from graders.language.errors import Reason
-from graders.verdict import Branches, Code, Entries, Reading, Verdict
+from graders.verdict import Branches, Code, Entries, Flaws, Reading, Verdict
 
 LANGUAGES = ("pl", "en", "ru")
 LOCALES = Path(__file__).parent / "locales"
@@ -47,6 +47,10 @@ def message(verdict: Verdict, lang: str) -> str:
             return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)
         case Branches(right=right, given=given):
             return str(words["codes"][verdict.code.value]).format(right=right, given=given)
+        case Flaws(found=found):
+            return " ".join(
+                str(words["codes"][flaw.code.value]).format(subject=flaw.subject, place=flaw.place) for flaw in found
+            )
         case _:
             return str(words["codes"][verdict.code.value])
 

@@ -39,6 +39,13 @@ class Reason(StrEnum):
     MISSING_ITEM = "missing_item"
     NEEDS_COMPONENTS = "needs_components"
     NOT_AN_EXPRESSION = "not_an_expression"
+    NEEDS_VECTORS = "needs_vectors"
+    NOT_A_LINE = "not_a_line"
+    UNKNOWN_NODE = "unknown_node"
+    NEEDS_NODES = "needs_nodes"
+    NEEDS_LENGTH_AND_ANGLE = "needs_length_and_angle"
+    NOT_AN_EQUATION = "not_an_equation"
+    NOT_A_CLOSURE = "not_a_closure"
     OUT_OF_RANGE = "out_of_range"
 
 

@@ -1,0 +1,303 @@
+"""Text to polygon: order-free lines, any of three languages, many spellings of an arrow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.parser import parse
+from graders.language.symbols import Symbols, key, latin
+from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, names, walk
+from graders.polygon import keywords
+from graders.polygon.drawn import Axis, Closure, Drawn, Equation, Vector
+from graders.polygon.lines import Line, Piece, fields_of, folded, label_of, lines_of, new_names, words_of
+
+TURN_IN_RADIANS = 6.3  # a bare number beyond it is an angle in degrees
+
+
+@dataclass(slots=True)
+class _Sorted:
+    """The lines by what they say."""
+
+    vectors: list[Line] = field(default_factory=list)
+    closures: list[Line] = field(default_factory=list)
+    equations: list[tuple[Axis, Line]] = field(default_factory=list)
+    unknowns: list[Line] = field(default_factory=list)
+
+
+def read_polygon(text: str, symbols: Symbols, nodes: tuple[str, ...]) -> Drawn:
+    """Read a polygon.
+
+    Args:
+        text: Its lines, in any order.
+        symbols: The names of the task; every other name in a length or an angle is declared by being used there.
+        nodes: The letters of the nodes.
+
+    Raises:
+        AnswerSyntaxError: A line that cannot be read, a node or a name that does not exist.
+    """
+    said = _sorted(lines_of(text), nodes)
+    if not said.vectors:
+        raise AnswerSyntaxError(Reason.EMPTY if not text.strip() else Reason.NEEDS_VECTORS, 0, text.strip()[:20])
+    drafts = [_Draft(line, nodes) for line in said.vectors]
+    declared = declare([f for draft in drafts for f in draft.formulas], symbols)
+    vectors = tuple(draft.vector(declared) for draft in drafts)
+    _refuse_twins(said.vectors)
+    return Drawn(
+        vectors,
+        tuple(_closure(line.body, vectors) for line in said.closures),
+        numbered([(axis, _loop(line.label), line.body.read(lambda t: equation(t, declared))) for axis, line in said.equations]),
+        _unknowns(said.unknowns, vectors, declared),
+    )
+
+
+def declare(formulas: Iterable[Piece], symbols: Symbols, rates: bool = False) -> Symbols:
+    """Give the names of the task with those that the formulas bring along."""
+    every: dict[str, str] = {key(name): name for name in symbols.known}
+    for formula in formulas:
+        every |= new_names(formula, Symbols(every.values()), rates)
+    return Symbols(every.values())
+
+
+def _sorted(lines: Iterable[Line], nodes: tuple[str, ...]) -> _Sorted:
+    said = _Sorted()
+    for line in lines:
+        words = {folded(word) for word in line.label.text.split()}
+        axis = axis_of(line.label.text)
+        if words & keywords.UNKNOWNS:
+            said.unknowns.append(line)
+        elif "=" in line.body.text and axis:
+            said.equations.append((axis, line))
+        elif {word.rstrip("0123456789") for word in words} & keywords.CLOSURE or (
+            "=" in line.body.text and not _names_nodes(line.body, nodes)
+        ):
+            said.closures.append(line)
+        elif line.label.text:
+            said.vectors.append(line)
+        else:
+            raise line.body.error(Reason.NOT_A_LINE)
+    return said
+
+
+def axis_of(label: str) -> Axis:
+    """Tell of which axis a label speaks: `x`, `Ox`, `x_d`, `rzut na oś x`, `x2`."""
+    words = [folded(word.translate(keywords.CYRILLIC_AXES)) for word in label.split()]
+    words = [word for word in words if word not in keywords.AXIS_FILLERS and not word.isdigit()]
+    if len(words) != 1:
+        return ""
+    name = key(words[0]).rstrip("0123456789")
+    return "x" if name in keywords.X else "y" if name in keywords.Y else ""
+
+
+def _loop(label: Piece) -> int:
+    """Read the number of a polygon behind its label; 0 where there is none."""
+    digits = label.text[len(label.text.rstrip("0123456789")) :]
+    return int(digits) if 0 < len(digits) < 3 else 0
+
+
+def numbered(found: list[tuple[Axis, int, Relation]]) -> tuple[Equation, ...]:
+    """Number the equations of an axis as they come, where they carry no number."""
+    count: dict[Axis, int] = {}
+    equations = []
+    for axis, loop, tree in found:
+        count[axis] = count.get(axis, 0) + 1
+        equations.append(Equation(axis, loop or count[axis], tree))
+    return tuple(equations)
+
+
+def equation(text: str, symbols: Symbols) -> Relation:
+    """Read one equation; raises AnswerSyntaxError."""
+    tree = parse(text, symbols)
+    if not isinstance(tree, Relation) or tree.operators != ("=",):
+        raise AnswerSyntaxError(Reason.NOT_AN_EQUATION, 0, text.strip()[:20])
+    if any(isinstance(node, Grid | Index) for node in walk(tree)):
+        raise AnswerSyntaxError(Reason.NOT_AN_EQUATION, 0, text.strip()[:20])
+    return tree
+
+
+class _Draft:
+    """A vector's line, cut into what it says."""
+
+    def __init__(self, line: Line, nodes: tuple[str, ...]) -> None:
+        self.line, self.label = line, label_of(line.label)
+        self.ends: tuple[str, str] | None = None
+        self.said: dict[str, Piece] = {}
+        self.marks: dict[str, set[str]] = {"constant": set(), "sought": set()}
+        for piece in fields_of(line.body):
+            self._field(piece, nodes)
+        ends = self.ends or _two_nodes([line.label], nodes)
+        if ends is None:
+            raise line.body.error(Reason.NEEDS_NODES)
+        if set(self.said) != {"length", "angle"}:
+            raise line.body.error(Reason.NEEDS_LENGTH_AND_ANGLE)
+        self.start, self.end = ends
+
+    @property
+    def formulas(self) -> list[Piece]:
+        return list(self.said.values())
+
+    def _field(self, piece: Piece, nodes: tuple[str, ...]) -> None:
+        words = words_of(piece)
+        what, marks = "", set()
+        while words and (mark := _kind(words[0].text)):
+            what = what or (mark if mark in ("length", "angle") else "")
+            marks.add(mark)
+            words = words[1:]
+        while words and (mark := _kind(words[-1].text)) in ("constant", "sought", "known"):
+            marks.add(mark)
+            words = words[:-1]
+        if not what and self.ends is None and (ends := _ends(words, nodes)):
+            self.ends = ends
+            return
+        what = what or ("angle" if "length" in self.said else "length")
+        if not words or what in self.said:
+            raise piece.error(Reason.NEEDS_LENGTH_AND_ANGLE)
+        last = words[-1]
+        end = last.place - piece.place + len(last.text)
+        self.said[what] = _without_equals(piece.cut(words[0].place - piece.place, end))
+        for mark in marks & {"constant", "sought"}:
+            self.marks[mark].add(what)
+
+    def vector(self, symbols: Symbols) -> Vector:
+        length, angle = (self.said[what].read(lambda t: _formula(t, symbols)) for what in ("length", "angle"))
+        if isinstance(angle, Number) and float(angle.exact) > TURN_IN_RADIANS:
+            angle = Unary("°", angle)
+        return Vector(
+            self.label, self.start, self.end, length, angle,
+            frozenset(self.marks["constant"]), frozenset(self.marks["sought"]),
+        )  # fmt: skip
+
+
+def _without_equals(piece: Piece) -> Piece:
+    return piece.cut(len(piece.text) - len(piece.text.lstrip("=: ")))
+
+
+def _kind(word: str) -> str:
+    """Tell what a word of a field says, nothing where it belongs to a formula."""
+    said = folded(word)
+    for kind, listed in (
+        ("length", keywords.LENGTH), ("angle", keywords.ANGLE), ("constant", keywords.CONSTANT),
+        ("sought", keywords.SOUGHT), ("known", keywords.KNOWN), ("filler", keywords.FILLERS),
+    ):  # fmt: skip
+        if said in listed and len(said) > (kind == "filler"):
+            return kind
+    return ""
+
+
+def _formula(text: str, symbols: Symbols) -> Tree:
+    tree = parse(text, symbols)
+    if any(isinstance(node, Relation | Grid | Index) for node in walk(tree)):
+        raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text.strip()[:20])
+    return tree
+
+
+def _ends(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | None:
+    """Read the two nodes of a field; a field with an arrow must name them.
+
+    Raises:
+        AnswerSyntaxError: Beside an arrow stands what is no node, or one node twice.
+    """
+    found = _two_nodes(words, nodes)
+    if found or not any(mark in word.text for word in words for mark in (">", "→", "⟶")):
+        return found
+    for word in words:
+        for name in word.text.translate(keywords.ARROWS).split():
+            if _node(name, nodes) is None and folded(name) not in keywords.FILLERS:
+                place = word.place + word.text.index(name)
+                raise AnswerSyntaxError(Reason.UNKNOWN_NODE, place, name, ", ".join(nodes))
+    raise words[0].error(Reason.NEEDS_NODES)
+
+
+def _two_nodes(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | None:
+    plain = " ".join(word.text for word in words).translate(keywords.ARROWS).split()
+    plain = [word for word in plain if word in nodes or folded(word) not in keywords.FILLERS]
+    if len(plain) == 1:
+        whole = latin(plain[0])
+        pairs = [(whole[:cut], whole[cut:]) for cut in range(1, len(whole))]
+    else:
+        pairs = [(plain[0], plain[1])] if len(plain) == 2 else []
+    for one, other in pairs:
+        start, end = _node(one, nodes), _node(other, nodes)
+        if start and end and start != end:
+            return start, end
+    return None
+
+
+def _node(spelling: str, nodes: tuple[str, ...]) -> str | None:
+    wanted = key(latin(spelling.strip(".,;()[]")))
+    return next((node for node in nodes if key(node) == wanted), None)
+
+
+def _names_nodes(body: Piece, nodes: tuple[str, ...]) -> bool:
+    """Tell a vector's line that says `length = l1` from a closure."""
+    return any(_two_nodes(words_of(piece), nodes) for piece in fields_of(body)[:1]) or len(fields_of(body)) > 1
+
+
+def _refuse_twins(lines: list[Line]) -> None:
+    seen = set()
+    for line in lines:
+        label = label_of(line.label)
+        if label in seen:
+            raise line.label.error(Reason.REPEATED_ITEM)
+        seen.add(label)
+
+
+def _closure(body: Piece, vectors: tuple[Vector, ...]) -> Closure:
+    """Read a sum of vectors; a pair of nodes stands for the vector between them."""
+    alias: dict[str, tuple[str, float]] = {}
+    for v in vectors:
+        alias[v.start + v.end], alias[v.end + v.start] = (v.label, 1.0), (v.label, -1.0)
+    alias = {key(name): one for name, one in alias.items()} | {key(v.label): (v.label, 1.0) for v in vectors}
+    tree = body.read(lambda text: equation(text, Symbols(alias)))
+    walked: dict[str, float] = {}
+    for side, sign in zip(tree.sides, (1.0, -1.0), strict=True):
+        for name, factor in _linear(side, body).items():
+            label, sense = alias[name]
+            walked[label] = walked.get(label, 0.0) + sign * sense * factor
+    return Closure(tree, tuple((label, factor) for label, factor in walked.items() if factor))
+
+
+def _linear(tree: Tree, body: Piece) -> Mapping[str, float]:
+    """Read a linear sum; raises AnswerSyntaxError where it is none."""
+    match tree:
+        case Name(name=name):
+            return {name: 1.0}
+        case Number() if not float(tree.exact):
+            return {}
+        case Unary(operator="+" | "-" as sign, operand=inner):
+            return {name: factor * (-1 if sign == "-" else 1) for name, factor in _linear(inner, body).items()}
+        case Binary(operator="+" | "-" as sign, left=left, right=right):
+            total = dict(_linear(left, body))
+            for name, factor in _linear(right, body).items():
+                total[name] = total.get(name, 0.0) + factor * (-1 if sign == "-" else 1)
+            return total
+        case Binary(operator="*", left=Number() as number, right=inner):
+            return {name: factor * float(number.exact) for name, factor in _linear(inner, body).items()}
+        case _:
+            raise body.error(Reason.NOT_A_CLOSURE)
+
+
+def _unknowns(lines: list[Line], vectors: tuple[Vector, ...], symbols: Symbols) -> tuple[str, ...] | None:
+    """Read the list of unknowns; what is marked as unknown in its vector's line belongs to it."""
+    found: dict[str, None] = {}
+    for line in lines:
+        for piece in fields_of(line.body):
+            for name in _listed(piece, symbols):
+                found[name] = None
+    for vector in vectors:
+        for what in sorted(vector.sought):
+            found |= dict.fromkeys(sorted(names(vector.of(what))))
+    return tuple(found) if found or lines else None
+
+
+def _listed(piece: Piece, symbols: Symbols) -> list[str]:
+    """Read one field of the list; the words between names are left out."""
+    tokens = [word for word in words_of(piece) if not _kind(word.text)]
+    found = []
+    for word in tokens:
+        name = symbols.find(word.text.strip(".,;")) or next(iter(new_names(word, symbols).values()), "")
+        if not name:
+            raise word.error(Reason.NOT_A_LINE)
+        found.append(name)
+    return found
