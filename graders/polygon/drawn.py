@@ -49,7 +49,8 @@ class Equation:
     @property
     def difference(self) -> Tree:
         """Give left minus right."""
-        return Binary("-", *self.tree.sides)
+        left, right = self.tree.sides
+        return Binary("-", left, right)
 
 
 @dataclass(frozen=True, slots=True)

@@ -179,12 +179,13 @@ SENSITIVE = Arithmetic(
     lambda number: (DOUBLES.literal(number), abs(DOUBLES.literal(number))),
     {
         **{name: _felt(slopes) for name, slopes in FUNCTIONS.items()},
-        **{name: _two(JETS.functions[name]) for name in ("/", "^", "atan2", "min", "max", "macaulay", "root", "log_base")},
+        **{name: _two(JETS.functions[name]) for name in ("/", "^", "atan2", "min", "max", "macaulay", "root")},
+        "log_base": _two(JETS.functions["log_base"]),
         "+": lambda a, b: (a[0] + b[0], a[1] + b[1]),
         "-": lambda a, b: (a[0] - b[0], a[1] + b[1]),
         "*": lambda a, b: (a[0] * b[0], a[1] * b[1]),
         "pi": lambda: (math.pi, math.pi),
-        "integer_power": lambda base, n: (base[0] ** n, base[1] ** n if n > 0 else _felt(lambda x: _power(x, n))(base)[1]),
+        "integer_power": lambda base, n: (base[0] ** n, base[1] ** n if n else 1.0),
     },
 )  # fmt: skip
 

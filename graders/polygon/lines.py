@@ -12,7 +12,7 @@ from graders.language.tokens import tokenize
 from graders.polygon import keywords
 
 MAX_TEXT = 6000
-MAX_LINES = 60
+MAX_LINES = 40
 MAX_NAME = 12
 
 Read = TypeVar("Read")
@@ -143,8 +143,9 @@ def label_of(piece: Piece) -> str:
 
 
 def _plain_name(spelling: str) -> str:
-    name = key(latin(spelling))
-    return name if name.isascii() and name.replace("'", "").isalnum() and name[:1].isalpha() and len(name) <= MAX_NAME else ""
+    name = "_".join(key(part) for part in latin(spelling).split("_") if part)
+    bare = name.replace("_", "").replace("'", "")
+    return name if bare.isascii() and bare.isalnum() and bare[0].isalpha() and len(bare) <= MAX_NAME else ""
 
 
 def stem_and_order(spelling: str) -> tuple[str, int]:

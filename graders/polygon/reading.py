@@ -47,7 +47,7 @@ def read_polygon(text: str, symbols: Symbols, nodes: tuple[str, ...]) -> Drawn:
     return Drawn(
         vectors,
         tuple(_closure(line.body, vectors) for line in said.closures),
-        numbered([(axis, _loop(line.label), line.body.read(lambda t: equation(t, declared))) for axis, line in said.equations]),
+        numbered([(axis, loop_of(line.label), equation_of(line.body, declared)) for axis, line in said.equations]),
         _unknowns(said.unknowns, vectors, declared),
     )
 
@@ -67,7 +67,7 @@ def _sorted(lines: Iterable[Line], nodes: tuple[str, ...]) -> _Sorted:
         axis = axis_of(line.label.text)
         if words & keywords.UNKNOWNS:
             said.unknowns.append(line)
-        elif "=" in line.body.text and axis:
+        elif axis and ("=" in line.body.text or not _names_nodes(line.body, nodes)):
             said.equations.append((axis, line))
         elif {word.rstrip("0123456789") for word in words} & keywords.CLOSURE or (
             "=" in line.body.text and not _names_nodes(line.body, nodes)
@@ -90,7 +90,7 @@ def axis_of(label: str) -> Axis:
     return "x" if name in keywords.X else "y" if name in keywords.Y else ""
 
 
-def _loop(label: Piece) -> int:
+def loop_of(label: Piece) -> int:
     """Read the number of a polygon behind its label; 0 where there is none."""
     digits = label.text[len(label.text.rstrip("0123456789")) :]
     return int(digits) if 0 < len(digits) < 3 else 0
@@ -104,6 +104,11 @@ def numbered(found: list[tuple[Axis, int, Relation]]) -> tuple[Equation, ...]:
         count[axis] = count.get(axis, 0) + 1
         equations.append(Equation(axis, loop or count[axis], tree))
     return tuple(equations)
+
+
+def equation_of(body: Piece, symbols: Symbols) -> Relation:
+    """Read one equation with its place; raises AnswerSyntaxError."""
+    return body.read(lambda text: equation(text, symbols))
 
 
 def equation(text: str, symbols: Symbols) -> Relation:
@@ -211,7 +216,7 @@ def _ends(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | None:
 
 def _two_nodes(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | None:
     plain = " ".join(word.text for word in words).translate(keywords.ARROWS).split()
-    plain = [word for word in plain if word in nodes or folded(word) not in keywords.FILLERS]
+    plain = [word for word in plain if _node(word, nodes) or folded(word) not in keywords.FILLERS]
     if len(plain) == 1:
         whole = latin(plain[0])
         pairs = [(whole[:cut], whole[cut:]) for cut in range(1, len(whole))]
