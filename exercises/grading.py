@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from exercises import catalogue, solving
@@ -12,6 +13,7 @@ from exercises.variants import predictions
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.language import Tree
 from graders.language.doubles import UndefinedError
+from graders.language.notes import notes_of
 from graders.verdict import EMPTY, FAULT, FOLLOWED, unreadable
 
 GRADER_VERSION = "1"
@@ -70,7 +72,9 @@ def preview(variant: Variant, answer: str, text: str, comma: bool = False) -> Ec
     if answer not in solved.answers:
         raise UnknownAnswer(answer)
     read = _read(solved, answer, text)
-    return read if isinstance(read, Verdict) else solved.answers[answer].echo(read, comma)
+    if isinstance(read, Verdict):
+        return read
+    return replace(solved.answers[answer].echo(read, comma), notes=notes_of(text, solved.symbols(answer)))
 
 
 def reference(variant: Variant) -> dict[str, str]:

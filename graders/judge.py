@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
+from graders.language.notes import Note
 from graders.language.symbols import Symbols
 from graders.language.tree import Tree
 from graders.verdict import Verdict
@@ -42,11 +43,12 @@ Reference: TypeAlias = Value | Formula
 
 @dataclass(frozen=True, slots=True)
 class Echo:
-    """What was understood: MathML, the same as text, and the unit in which the answer is read."""
+    """What was understood: MathML, the same as text, the unit of the answer, and what was read otherwise than typed."""
 
     mathml: str
     text: str
     unit: str | None = None
+    notes: tuple[Note, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from graders.language.errors import Reason
+from graders.language.notes import Note
 from graders.verdict import Branches, Code, Entries, Flaws, Reading, Verdict
 
 LANGUAGES = ("pl", "en", "ru")
@@ -20,6 +20,8 @@ def locale(lang: str) -> Mapping[str, Any]:
     """Give the words of a language; raises KeyError for one that is not spoken here."""
     if lang not in LANGUAGES:
         raise KeyError(lang)
+    import tomllib  # only for those who are told something
+
     return tomllib.loads((LOCALES / f"{lang}.toml").read_text("utf-8"))
 
 
@@ -53,6 +55,17 @@ def message(verdict: Verdict, lang: str) -> str:
             )
         case _:
             return str(words["codes"][verdict.code.value])
+
+
+def noted(notes: Iterable[Note], lang: str) -> str:
+    """Word what was read otherwise than typed; empty where nothing was."""
+    words = locale(lang)
+    return " ".join(
+        str(words["notes"][note.kind]).format(
+            found=note.found, meant=note.meant, name=words["functions"].get(note.meant, "")
+        )
+        for note in notes
+    )
 
 
 def _reading(words: Mapping[str, Any], reason: Reason, position: int, found: str, meant: str) -> str:

@@ -18,7 +18,7 @@ from exercises.exercise import Variant
 from exercises.words import printed_unit
 from graders import Echo, Verdict
 from graders.verdict import Reading
-from graders.words import message
+from graders.words import message, noted
 from server import ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, unknown_variant
@@ -276,7 +276,8 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
         if unit
         else read.mathml
     )
-    return Understood(ok=True, mathml=mathml, text=f"{read.text} {unit}".rstrip(), unit=read.unit)
+    note = noted(read.notes, language) or None
+    return Understood(ok=True, mathml=mathml, text=f"{read.text} {unit}".rstrip(), unit=read.unit, note=note)
 
 
 async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting.SolvedLine, ...]:

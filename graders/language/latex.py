@@ -100,11 +100,23 @@ def _binary(tree: Binary, comma: bool) -> str:
         return rf"\frac{{{latex_of(left, comma)}}}{{{latex_of(right, comma)}}}"
     if tree.operator == "^":
         return _power(left, right, comma)
-    least = 1 if tree.operator in "+-" else 2
+    pieces: list[str] = []
+    node: Tree = tree
+    while isinstance(node, Binary) and node.operator in "+-*":  # a long sum is no deep one
+        least = 1 if node.operator in "+-" else 2
+        pieces.append(_after(node, least + 1, comma))
+        node = node.left
+        if _level(node) < least:
+            break
+    return _fenced(node, least, comma) + "".join(reversed(pieces))
+
+
+def _after(tree: Binary, least: int, comma: bool) -> str:
+    """Write an operator and its right operand."""
     sign = r" \, " if tree.implicit else OPERATORS[tree.operator]
-    bracket = _opens(right, tree.implicit)
-    after = rf"\left({latex_of(right, comma)}\right)" if bracket else _fenced(right, least + 1, comma)
-    return _fenced(left, least, comma) + sign + after
+    if _opens(tree.right, tree.implicit):
+        return rf"{sign}\left({latex_of(tree.right, comma)}\right)"
+    return sign + _fenced(tree.right, least, comma)
 
 
 def _power(base: Tree, exponent: Tree, comma: bool) -> str:

@@ -63,8 +63,8 @@ def _inner(tree: Tree, comma: bool) -> str:
             return _fenced(operand, ATOM, comma) + "<mo>°</mo>"
         case Unary(operator=operator, operand=operand):
             return f'<mo form="prefix">{OPERATORS[operator]}</mo>' + _fenced(operand, 2, comma)
-        case Binary(operator=operator, left=left, right=right):
-            return _binary(operator, left, right, tree.implicit, comma)
+        case Binary():
+            return _binary(tree, comma)
         case Call(function=function, arguments=arguments):
             return _call(function, arguments, comma)
         case Angle(degrees=degrees, minutes=minutes, seconds=seconds):
@@ -100,14 +100,22 @@ def _fenced(tree: Tree, least: int, comma: bool) -> str:
     return inner if level(tree) >= least else f"<mrow><mo>(</mo>{inner}<mo>)</mo></mrow>"
 
 
-def _binary(operator: str, left: Tree, right: Tree, implicit: bool, comma: bool) -> str:
-    if operator == "/":
-        return f"<mfrac>{_row(left, comma)}{_row(right, comma)}</mfrac>"
-    if operator == "^":
-        return f"<msup>{_fenced(left, ATOM, comma)}{_row(right, comma)}</msup>"
-    sign = GAP if implicit else f"<mo>{OPERATORS[operator]}</mo>"
-    least = 1 if operator in "+-" else 2
-    return _fenced(left, least, comma) + sign + _fenced(right, least + (operator != "+"), comma)
+def _binary(tree: Binary, comma: bool) -> str:
+    if tree.operator == "/":
+        return f"<mfrac>{_row(tree.left, comma)}{_row(tree.right, comma)}</mfrac>"
+    if tree.operator == "^":
+        return f"<msup>{_fenced(tree.left, ATOM, comma)}{_row(tree.right, comma)}</msup>"
+    pieces: list[str] = []
+    node: Tree = tree
+    while isinstance(node, Binary) and node.operator in "+-*":  # a long sum is no deep one
+        least = 1 if node.operator in "+-" else 2
+        sign = GAP if node.implicit else f"<mo>{OPERATORS[node.operator]}</mo>"
+        pieces.append(sign + _fenced(node.right, least + (node.operator != "+"), comma))
+        node = node.left
+        if level(node) < least:
+            break
+    pieces.append(_fenced(node, least, comma))
+    return "".join(reversed(pieces))
 
 
 def _call(function: str, arguments: tuple[Tree, ...], comma: bool) -> str:

@@ -6,18 +6,17 @@ from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.proposals import figure_behind, nearest_name, product
-from graders.language.symbols import FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key
-from graders.language.tokens import Token, exponent_of, partners, tokenize
-from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
+from graders.language.symbols import DEGREES, FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key, latin
+from graders.language.tokens import CLOSING, Token, exponent_of, partners, tokenize
+from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary, order_exists
 
 MAX_DEPTH = 60  # brackets, signs and powers within one another
 MAX_NODES = 1500
+MAX_HEIGHT = 200  # terms and factors beside and within one another: what walks a tree goes as deep
 MAX_MATRIX = 16
-MAX_ORDER = 100  # of a Macaulay bracket
+ONE: Tree = Number("1")
 RELATIONS = ("=", "<", ">", "<=", ">=")
 STARTS = ("number", "name", "(", "[", "√")
-CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}
-DEGREES = ("deg", "stopni", "stopnie", "st", "град", "градусов")
 
 
 def parse(text: str, symbols: Symbols) -> Tree:
@@ -40,7 +39,7 @@ class _Parser:
 
     def __init__(self, tokens: list[Token], symbols: Symbols | None) -> None:
         self.tokens, self.symbols = tokens, symbols
-        self.at = self.depth = self.nodes = self.bars = 0
+        self.at = self.depth = self.nodes = self.bars = self.height = 0
         self.closed: dict[int, int] | None = None
 
     @property
@@ -50,13 +49,11 @@ class _Parser:
     def whole(self) -> Tree:
         tree = self.relation()
         if self.token.kind != "end":
-            extra = Reason.EXTRA_BRACKET if self.token.kind in (")", "]") else Reason.EXTRA_TEXT
-            raise self.error(extra)
+            raise self.error(Reason.EXTRA_BRACKET if self.token.kind in (")", "]") else Reason.EXTRA_TEXT)
         return tree
 
     def error(self, reason: Reason, token: Token | None = None, meant: str = "") -> AnswerSyntaxError:
-        token = token or self.token
-        return AnswerSyntaxError(reason, token.position, token.text, meant)
+        return AnswerSyntaxError(reason, (token or self.token).position, (token or self.token).text, meant)
 
     def accept(self, kind: str) -> bool:
         found = self.token.kind == kind
@@ -91,26 +88,40 @@ class _Parser:
             raise self.error(Reason.TOO_LONG)
         return tree
 
+    def longer(self) -> None:
+        self.height += 1
+        if self.height > MAX_HEIGHT:
+            raise self.error(Reason.TOO_LONG)
+
     def sum(self) -> Tree:
-        tree = self.product()
+        tree, below = self.product(), self.height
         while self.token.kind in ("+", "-"):
             operator = self.token.kind
             self.at += 1
+            self.longer()
             tree = self.count(Binary(operator, tree, self.product()))
+        self.height = below
         return tree
 
     def product(self) -> Tree:
-        tree = self.signed()
+        below = self.height
+        tree = self.factors(self.signed())
+        self.height = below
+        return tree
+
+    def factors(self, tree: Tree) -> Tree:
         divided: Tree | None = None
         while True:
             token = self.token
             if token.kind in ("*", "/"):
                 self.at += 1
+                self.longer()
                 right = self.signed()
                 divided = right if token.kind == "/" else None
                 tree = self.count(Binary(token.kind, tree, right))
             elif self.begins_factor():
                 self.refuse_doubt(tree, divided, token)
+                self.longer()
                 tree, divided = self.count(Binary("*", tree, self.power(), implicit=True)), None
             else:
                 return tree
@@ -241,26 +252,20 @@ class _Parser:
         self.bars = outside
         self.close(opened)
         self.depth -= 1
-        if opened.kind == "|":
-            return self.count(Call("abs", (tree,)))
-        return self.macaulay(tree) if opened.kind == "<" else tree
+        if opened.kind == "<":
+            return self.macaulay(tree)
+        return self.count(Call("abs", (tree,))) if opened.kind == "|" else tree
 
     def macaulay(self, inside: Tree) -> Tree:
         """`<u>^n`; without a power the bracket means `<u>^1`."""
-        mark, order = self.token, Number("1")
+        mark, order = self.token, ONE
         if self.accept("^"):
-            return self.count(Call("macaulay", (inside, self.order(self.signed(), mark))))
-        if self.accept("raised"):
-            return self.count(Call("macaulay", (inside, self.order(self.raised(mark), mark))))
-        return self.count(Call("macaulay", (inside, order)))
-
-    def order(self, order: Tree, mark: Token) -> Tree:
-        """Hold the order of a bracket to whole numbers, at least -2: a moment is `<x - a>^-2`, a force `<x - a>^-1`."""
-        least = 2 if isinstance(order, Unary) and order.operator == "-" else MAX_ORDER
-        number = order.operand if isinstance(order, Unary) else order
-        if isinstance(number, Number) and not (number.whole and int(number.digits) <= least):
+            order = self.signed()
+        elif self.accept("raised"):
+            order = self.raised(mark)
+        if not order_exists(order):
             raise self.error(Reason.OUT_OF_RANGE, mark)
-        return order
+        return self.count(Call("macaulay", (inside, order)))
 
     def matrix(self) -> Tree:
         opened = self.token
@@ -296,7 +301,7 @@ class _Parser:
         symbol = self.symbol(token.text)
         if symbol is not None:
             return Name(symbol)
-        function = function_named(token.text)
+        function = function_named(token.text) or function_named(latin(token.text))
         if function is not None:
             return self.call(function, token)
         folded = key(token.text)
@@ -343,8 +348,8 @@ class _Parser:
         least, most = FUNCTIONS[function]
         if not least <= len(arguments) <= most:
             raise self.error(Reason.NEEDS_ARGUMENTS, token)
-        if function == "macaulay":
-            self.order(arguments[1], token)
+        if function == "macaulay" and not order_exists(arguments[1]):
+            raise self.error(Reason.OUT_OF_RANGE, token)
         tree = self.count(Call(function, arguments))
         return self.count(Binary("^", tree, power)) if power else tree
 
@@ -388,7 +393,6 @@ class _Parser:
         tree = self.power() if self.token.kind != "-" else self.signed()
         if isinstance(tree, Number) and self.token.kind == "name" and not function_named(self.token.text):
             tree = self.count(Binary("*", tree, self.power(), implicit=True))
-        following = self.token
-        if following.kind in ("number", "name", "√") and not function_named(following.text):
-            raise self.error(Reason.AMBIGUOUS_ARGUMENT, following)
+        if self.token.kind in ("number", "name", "√") and not function_named(self.token.text):
+            raise self.error(Reason.AMBIGUOUS_ARGUMENT)
         return tree

@@ -27,6 +27,8 @@ LOOK_ALIKES = dict(zip("АВЕКМНОРСТХаеорсухіѕј", "ABEKMHOPCT
 DOTS = {"\u0307": "_d", "\u0308": "_dd"}  # a dot over a name is its rate
 RATES = {"_dot": "_d", "_ddot": "_dd", "''": "_dd", "'": "_d"}  # other ways to write it, where the rate is declared
 
+DEGREES = ("deg", "stopni", "stopnie", "st", "град", "градусов")  # words behind a number of degrees
+
 FUNCTIONS: dict[str, tuple[int, int]] = {  # least and greatest number of arguments
     **dict.fromkeys(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot"), (1, 1)),
     **dict.fromkeys(("sinh", "cosh", "tanh", "exp", "ln", "sqrt", "abs", "sign"), (1, 1)),
@@ -89,6 +91,10 @@ class Symbols:
         """Give the declared symbol that a spelling means, look-alike letters mapped, or None."""
         found = self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
         return found or self._by_key.get(_lettered(spelling)) or self._rate(spelling)
+
+    def typed(self, spelling: str) -> bool:
+        """Tell whether a spelling means a declared symbol without a change of alphabet."""
+        return key(spelling) in self._by_key or _lettered(spelling) in self._by_key
 
     def _rate(self, spelling: str) -> str | None:
         """Find a declared rate typed with a prime or as `x_dot`."""

@@ -42,8 +42,8 @@ def text_of(tree: Tree) -> str:
             return _in(operand, ATOM) + "°"
         case Unary(operator=operator, operand=operand):
             return operator + _in(operand, 3)
-        case Binary(operator=operator, left=left, right=right):
-            return _binary(operator, left, right, tree.implicit)
+        case Binary():
+            return _binary(tree)
         case Call(function="macaulay", arguments=(inside, power)):
             return f"<{_in(inside, 1)}>^{_in(power, 3)}"
         case Call(function=function, arguments=arguments):
@@ -66,16 +66,27 @@ def _in(tree: Tree, least: int) -> str:
     return text_of(tree) if level(tree) >= least else f"({text_of(tree)})"
 
 
-def _binary(operator: str, left: Tree, right: Tree, implicit: bool) -> str:
-    if operator == "^":
-        return f"{_in(left, ATOM)}^{_in(right, 3)}"
-    if implicit:
-        front = f"({text_of(left)})" if fraction(left) else _in(left, 2)
-        return f"{front} ({text_of(right)})" if _glues(right) else f"{front} {_in(right, 4)}"
-    here = LEVELS[operator]
-    after = here + 1
+def _binary(tree: Binary) -> str:
+    if tree.operator == "^":
+        return f"{_in(tree.left, ATOM)}^{_in(tree.right, 3)}"
+    pieces: list[str] = []
+    node: Tree = tree
+    while isinstance(node, Binary) and node.operator != "^":  # a long sum is no deep one
+        least, doubt = LEVELS[node.operator], node.implicit and fraction(node.left)
+        pieces.append(_after(node))
+        node = node.left
+        if level(node) < least or doubt:
+            return f"({text_of(node)})" + "".join(reversed(pieces))
+    return text_of(node) + "".join(reversed(pieces))
+
+
+def _after(tree: Binary) -> str:
+    """Write an operator and its right operand."""
+    if tree.implicit:
+        return f" ({text_of(tree.right)})" if _glues(tree.right) else f" {_in(tree.right, 4)}"
+    here = LEVELS[tree.operator]
     gap = " " if here == 1 else ""
-    return f"{_in(left, here)}{gap}{operator}{gap}{_in(right, after)}"
+    return f"{gap}{tree.operator}{gap}{_in(tree.right, here + 1)}"
 
 
 def fraction(tree: Tree) -> bool:

@@ -29,6 +29,7 @@ TOKEN = re.compile(
     r"|(?P<raised>[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√°'\"%])"
 )
+CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}
 TWO_ARGUMENTS = ("atan2", "arctg2", "arctan2", "root", "macaulay", "min", "max", "log", "pierw")
 
 

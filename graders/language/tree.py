@@ -129,3 +129,10 @@ def walk(tree: Tree) -> Iterator[Tree]:
         node = pending.pop()
         yield node
         pending.extend(reversed(children(node)))
+
+
+def order_exists(order: Tree) -> bool:
+    """Tell whether a Macaulay bracket may have an order: a symbol, or a whole number from -2 (a moment) to 100."""
+    negative = isinstance(order, Unary) and order.operator == "-"
+    number = order.operand if isinstance(order, Unary) else order
+    return not isinstance(number, Number) or (number.whole and int(number.digits) <= (2 if negative else 100))

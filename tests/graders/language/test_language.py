@@ -241,3 +241,29 @@ def test_any_text_is_read_or_refused_with_a_place_inside_it(text: str) -> None:
 def test_a_power_of_a_macaulay_bracket_is_printed_with_its_brackets(typed: str) -> None:
     tree = parse(typed, DECLARED)
     assert parse(text_of(tree), DECLARED) == tree
+
+
+@pytest.mark.parametrize(
+    "typed",
+    ["+".join("1" * 201), "*".join("x" * 201), " ".join("x" * 201), "-".join(["x*a"] * 190)],
+)
+def test_a_long_sum_or_product_is_computed_and_printed(typed: str) -> None:
+    tree = parse(typed, DECLARED)
+    assert math.isfinite(value(typed))
+    assert parse(text_of(tree), DECLARED) == tree
+    assert parse(latex_of(tree), DECLARED) == tree
+    assert mathml_of(tree).startswith("<math>")
+    assert hash(tree) == hash(parse(typed, DECLARED))
+
+
+def test_a_chain_of_fractions_is_printed() -> None:
+    tree = parse("/".join("x" * 201), DECLARED)
+    assert parse(text_of(tree), DECLARED) == tree
+    assert latex_of(tree).count("frac") == mathml_of(tree).count("<mfrac>") == 200
+
+
+@pytest.mark.parametrize("typed", ["+".join("1" * 400), "*".join("x" * 400), "x " * 400, "/".join("x" * 400)])
+def test_a_sum_or_product_without_end_is_too_long(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(typed, DECLARED)
+    assert refused.value.reason is Reason.TOO_LONG
