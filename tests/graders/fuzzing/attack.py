@@ -111,7 +111,7 @@ def _names(target: Target) -> list[str]:
 def one(target: Target, text: str, found: Found) -> None:
     """Hand in one text; a crash is anything but a reading error."""
     found.inputs += 1
-    start = time.process_time()
+    start, crashes = time.process_time(), len(found.crashes)
     try:
         _through(target, text, found)
     except Exception:  # whatever it is, it is what is looked for
@@ -119,7 +119,7 @@ def one(target: Target, text: str, found: Found) -> None:
     cost = time.process_time() - start
     if not found.slowest or cost > found.slowest[-1][0] or len(found.slowest) < LONGEST_KEPT:
         found.slowest = sorted([*found.slowest, (cost, target.grader.kind, text)], reverse=True)[:LONGEST_KEPT]
-    if cost > SLOW and again(target, text) > SLOW:
+    if cost > SLOW and len(found.crashes) == crashes and again(target, text) > SLOW:
         found.slow.append(f"{target.grader.kind} {cost * 1e3:.0f} ms {text!r}")
 
 
