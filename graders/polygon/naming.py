@@ -71,10 +71,9 @@ def _pace(state: State, value: float) -> float:
 
 
 def _same(one: Trios, other: Trios) -> bool:
-    return all(
-        abs(remainder(a[0] - b[0], 2 * pi)) <= CLOSE * (1 + abs(a[0])) and abs(a[1] - b[1]) <= CLOSE * (abs(a[1]) + abs(b[1]))
-        for a, b in zip(one, other, strict=True)
-    )  # fmt: skip
+    return _agree_turned(one, other) and all(
+        abs(a[1] - b[1]) <= CLOSE * (abs(a[1]) + abs(b[1])) for a, b in zip(one, other, strict=True)
+    )
 
 
 @dataclass(frozen=True, slots=True)

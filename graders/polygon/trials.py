@@ -148,7 +148,7 @@ def _terms(
         square = [-w * w for w in spin]
         yield _term(
             Code.CENTRIPETAL_MISSING, Code.RATE_SIGN, (length, f, square), (length, g, square),
-            (Code.SQUARE_MISSING, (length, f, [-abs(w) for w in spin])), (Code.CHAIN_RULE, (length, _times(-1, tuple(f)))),
+            (Code.SQUARE_MISSING, (length, f, spin)), (Code.CHAIN_RULE, (length, f)),
         )  # fmt: skip
 
 
