@@ -9,15 +9,19 @@ import pytest
 
 from cli.reading import LARGEST, LONGEST
 from graders import Outcome
-from tests.docs import api_reference, command_reference
+from tests.docs import api_reference, command_reference, language_reference
 
 DOCS = api_reference.ROOT / "docs"
 
 
 @pytest.mark.parametrize(
     ("page", "written"),
-    [(api_reference.PAGE, api_reference.page), (command_reference.PAGE, command_reference.page)],
-    ids=["api", "commands"],
+    [
+        (api_reference.PAGE, api_reference.page),
+        (command_reference.PAGE, command_reference.page),
+        (language_reference.PAGE, language_reference.page),
+    ],
+    ids=["api", "commands", "language"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
