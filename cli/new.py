@@ -64,8 +64,6 @@ def scaffold(root: Path, chapter: str, exercise: str) -> Path:
 
 def _filled(source: Path, chapter: str, exercise: str) -> str:
     text = source.read_text("utf-8").replace("EXERCISE_ID", exercise).replace("CHAPTER", chapter)
-    ours = [line for line in text.splitlines() if line.startswith("from exercises.")]
-    text = text.replace("\n".join(ours), "\n".join(sorted(ours)))  # the place of its own figure depends on the chapter
     return text.replace("EXERCISE-ID", exercise.replace("_", "-").strip("-"))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from argparse import ArgumentParser
 from collections.abc import Mapping
 from functools import cache
@@ -39,6 +38,8 @@ def say(lang: str, key: str, **values: object) -> str:
 
 @cache
 def _words(lang: str) -> Mapping[str, str]:
+    import tomllib  # only for those who are told something
+
     return tomllib.loads((LOCALES / f"{lang}.toml").read_text("utf-8"))
 
 

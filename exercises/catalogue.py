@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from exercises.exercise import AnyExercise, Exercise
-from exercises.words import Words, read_words
 from graders.words import LANGUAGES
+
+if TYPE_CHECKING:
+    from exercises.words import Words
+    from figures.picture import Picture
 
 ROOT = Path(__file__).parent
 FILES = ("__init__.py", *(f"{language}.toml" for language in LANGUAGES), "cases.toml")
@@ -28,6 +32,29 @@ class IncompleteExercise(ValueError):
     """An exercise folder lacks a file or its definition."""
 
 
+class Spoken(Mapping[str, "Words"]):
+    """The words of an exercise by language, each file read when it is first spoken."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._read: dict[str, Words] = {}
+
+    def __getitem__(self, language: str) -> Words:
+        if language not in LANGUAGES:
+            raise KeyError(language)
+        if language not in self._read:
+            from exercises.words import read_words  # grading by numbers needs no words
+
+            self._read[language] = read_words(self._folder / f"{language}.toml")
+        return self._read[language]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(LANGUAGES)
+
+    def __len__(self) -> int:
+        return len(LANGUAGES)
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
     """An exercise with its place on the shelf and its words."""
@@ -37,6 +64,15 @@ class Entry:
     exercise: AnyExercise
     words: Mapping[str, Words]
     folder: Path
+
+    def picture(self, givens: Any, lang: str) -> Picture | None:
+        """Draw the figure of a variant with the `figure` of the folder's `figure.py`, if it has one."""
+        if not (self.folder / "figure.py").is_file():
+            return None
+        drawn: Picture = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure(
+            givens, self.words[lang]["figure"], lang
+        )
+        return drawn
 
 
 @lru_cache(maxsize=1)
@@ -82,11 +118,12 @@ def load(exercise_id: str) -> Entry:
     if not isinstance(exercise, Exercise):
         raise IncompleteExercise(f"exercise folder {chapter}/{exercise_id} defines no EXERCISE")
     folder = ROOT / chapter / exercise_id
-    words = {language: read_words(folder / f"{language}.toml") for language in LANGUAGES}
-    return Entry(exercise_id, chapter, exercise, words, folder)
+    return Entry(exercise_id, chapter, exercise, Spoken(folder), folder)
 
 
 def check() -> None:
     """Import every exercise, so that an incomplete folder stops the start."""
     for exercise_id in ids():
-        load(exercise_id)
+        entry = load(exercise_id)
+        for language in LANGUAGES:
+            entry.words[language]

@@ -8,7 +8,6 @@ from typing import Any, Generic, TypeAlias, TypeVar
 
 from exercises.draw import Draw
 from exercises.givens import each, given, option
-from figures.picture import Picture
 from graders import Grader, States, Value, Verdict
 
 Values: TypeAlias = Mapping[str, Value]
@@ -54,7 +53,6 @@ class Exercise(Generic[G]):
     oracle: Callable[[G], Values]
     answers: Answers | Callable[[G], Answers]
     mistakes: Mapping[str, Mistake[G]]
-    figure: Callable[[G, Mapping[str, str], str], Picture] | None = None
     references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
     version: int = 1
     minutes: int = 20

@@ -74,7 +74,6 @@ def presented(variant: Variant, lang: str) -> Presented:
     entry = catalogue.load(variant.exercise)
     words, solved, seen = entry.words[lang], solving.solved(variant), list[Printed]()
     statement = fill(words["statement"], variant.givens, words, lang, seen)
-    figure = entry.exercise.figure
     return Presented(
         title=words["title"],
         summary=words["summary"],
@@ -82,7 +81,7 @@ def presented(variant: Variant, lang: str) -> Presented:
         statement_text=plain(statement),
         givens=tuple((symbol_mathml(p.name), with_unit(p.number, p.unit, lang)) for p in seen),
         answers={name: _field(solved, name, words, lang) for name in solved.answers},
-        picture=figure(variant.givens, words["figure"], lang) if figure else None,
+        picture=entry.picture(variant.givens, lang),
     )
 
 

@@ -16,7 +16,7 @@ from exercises.exercise import AnyExercise, Line, Steps, Variant
 from exercises.givens import Domain, domains, numbers, words_of
 from graders import Formula, Grader, States, Symbols, Value
 from graders.language import Tree, parse_line
-from graders.language.doubles import UndefinedError, line_runner, run
+from graders.language.doubles import UndefinedError, domain_test, line_runner, run
 from graders.language.program import Runner, Table
 from graders.language.tree import names as names_in
 
@@ -218,8 +218,6 @@ class Formulas:
     def defined(self, step: str) -> Callable[[tuple[float, ...]], bool]:
         """Give the test that tells whether a step has a value at a point of the givens."""
         if step not in self._defined:
-            from graders.equality import domain_test
-
             self._defined[step] = domain_test(
                 parse_line(dict(self.lines).get(step) or "0"), self.givens, self.before(step)
             )

@@ -2,25 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any
 
 from exercises import catalogue
 from exercises.draw import Draw, Rejected
-from exercises.exercise import AnyExercise, Variant
+from exercises.exercise import AnyExercise, Steps, Variant
 from exercises.givens import Json
 from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
 from exercises.solving import Solved, solve
-from graders import Reference
+from graders import Value
 from graders.language.doubles import UndefinedError
 
 MAX_SEED = 2**53 - 1
 REDRAWS = 100
 APART = 3.0  # tolerances between a mistake's prediction and the reference, in some answer
 
-Predictions = dict[str, Reference]
+
+class Predictions(Mapping[str, Any]):
+    """The answers that a set of steps leads to, each reference made when it is first looked at."""
+
+    def __init__(self, solved: Solved, values: Mapping[str, Value], lines: Steps) -> None:
+        self._solved, self._values, self._lines = solved, values, lines
+        self._made: dict[str, Any] = {}
+
+    def __getitem__(self, answer: str) -> Any:
+        if answer not in self._made:
+            self._made[answer] = self._solved.reference(answer, self._values, self._lines)
+        return self._made[answer]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._solved.answers)
+
+    def __len__(self) -> int:
+        return len(self._solved.answers)
 
 
 class DrawError(RuntimeError):
@@ -60,13 +77,13 @@ def predictions(solved: Solved) -> dict[str, Predictions]:
             values = solve(solved.exercise, solved.variant.givens, replaced=lines)
         except UndefinedError:
             continue
-        found[name] = {answer: solved.reference(answer, values, lines) for answer in solved.answers}
+        found[name] = Predictions(solved, values, lines)
     return found
 
 
 def told_apart(solved: Solved) -> bool:
     """Tell whether every mistake differs from the reference and from the others in at least one answer."""
-    right = {answer: solved.reference(answer) for answer in solved.answers}
+    right = Predictions(solved, solved.values, {})
     slips = list(predictions(solved).values())
     return all(differ(solved, one, other) for one, other in combinations([right, *slips], 2))
 

@@ -1,30 +1,42 @@
-"""The answer language, units and the judges of one answer."""
+"""The answer language, units and the judges of one answer.
+
+A judge is imported when it is first named: a file of numbers is graded without the judges of matrices.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from graders.judge import Echo, Formula, Grader, Reference, Samples, States, Value
-from graders.kinds.choice import Choice
-from graders.kinds.choices import Choices
-from graders.kinds.expression import Expression
-from graders.kinds.integer import Integer
-from graders.kinds.matrix import Matrix
-from graders.kinds.ordering import Ordering
-from graders.kinds.quantity import Quantity
-from graders.kinds.rational import Rational
-from graders.kinds.set import Set
-from graders.kinds.text import Text
 from graders.language import AnswerSyntaxError, Symbols
 from graders.verdict import Code, Outcome, Verdict
 
-KINDS: dict[str, type[Grader]] = {  # one row an answer kind
-    "choice": Choice,
-    "choices": Choices,
-    "expression": Expression,
-    "integer": Integer,
-    "matrix": Matrix,
-    "ordering": Ordering,
-    "quantity": Quantity,
-    "rational": Rational,
-    "set": Set,
-    "text": Text,
+if TYPE_CHECKING:
+    from graders.kinds.choice import Choice
+    from graders.kinds.choices import Choices
+    from graders.kinds.expression import Expression
+    from graders.kinds.integer import Integer
+    from graders.kinds.matrix import Matrix
+    from graders.kinds.ordering import Ordering
+    from graders.kinds.quantity import Quantity
+    from graders.kinds.rational import Rational
+    from graders.kinds.set import Set
+    from graders.kinds.text import Text
+
+    KINDS: dict[str, type[Grader]]
+
+JUDGES = {  # one row an answer kind: the class and its module, which has the name of the kind
+    "Choice": "choice",
+    "Choices": "choices",
+    "Expression": "expression",
+    "Integer": "integer",
+    "Matrix": "matrix",
+    "Ordering": "ordering",
+    "Quantity": "quantity",
+    "Rational": "rational",
+    "Set": "set",
+    "Text": "text",
 }
 
 __all__ = [
@@ -52,3 +64,12 @@ __all__ = [
     "Value",
     "Verdict",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a judge; `KINDS` maps the kinds to their judges."""
+    if name == "KINDS":
+        return {kind: getattr(import_module(f"graders.kinds.{kind}"), judge) for judge, kind in JUDGES.items()}
+    if name in JUDGES:
+        return getattr(import_module(f"graders.kinds.{JUDGES[name]}"), name)
+    raise AttributeError(f"module 'graders' has no attribute {name!r}")

@@ -7,7 +7,6 @@ relative to the larger side, at several points; anything else is undecided.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -121,21 +120,3 @@ def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
     except UndefinedError:
         return Finding.UNDEFINED
     return Finding.UNDECIDED
-
-
-def domain_test(
-    tree: Tree, names: tuple[str, ...], lines: Sequence[tuple[str, Tree]]
-) -> Callable[[tuple[float, ...]], bool]:
-    """Make a test that tells in doubles whether a formula and the lines it stands on have a value at a point."""
-    builder = Builder(names)
-    slots = [builder.define(name, line) for name, line in lines]
-    runner = Runner(builder.program(builder.add(tree), *slots), DOUBLES)
-
-    def defined(point: tuple[float, ...]) -> bool:
-        try:
-            values = run(runner, list(point))
-        except UndefinedError:
-            return False
-        return all(map(math.isfinite, values))
-
-    return defined

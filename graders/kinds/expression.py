@@ -44,6 +44,8 @@ class Expression:
 
     def check(self, answer: Tree, reference: Formula) -> Verdict:
         """Judge by ball arithmetic on true states; what cannot be decided is kept for the lecturer."""
+        if answer == reference.tree:  # the reference has a value at all of its points
+            return RIGHT
         from graders.equality import Finding, compare
 
         found = compare(answer, reference)

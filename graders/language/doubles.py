@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -70,3 +71,21 @@ def run(runner: Runner, values: list[Any]) -> list[Any]:
         return runner.run(values)
     except (ValueError, ArithmeticError, TypeError, IndexError) as error:
         raise UndefinedError(str(error)) from error
+
+
+def domain_test(
+    tree: Tree, names: tuple[str, ...], lines: Sequence[tuple[str, Tree]]
+) -> Callable[[tuple[float, ...]], bool]:
+    """Make a test that tells in doubles whether a formula and the lines it stands on have a value at a point."""
+    builder = Builder(names)
+    slots = [builder.define(name, line) for name, line in lines]
+    runner = Runner(builder.program(builder.add(tree), *slots), DOUBLES)
+
+    def defined(point: tuple[float, ...]) -> bool:
+        try:
+            values = run(runner, list(point))
+        except UndefinedError:
+            return False
+        return all(map(math.isfinite, values))
+
+    return defined

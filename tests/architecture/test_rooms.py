@@ -24,7 +24,7 @@ def test_the_machinery_of_the_exercise_room_has_at_most_ten_files() -> None:
     assert len([p for p in (ROOT / "exercises").glob("*.py") if p.name != "__init__.py"]) <= 10
 
 
-@pytest.mark.parametrize("heavy", ["sympy", "fastapi", "sqlalchemy", "numpy", "latex2mathml"])
+@pytest.mark.parametrize("heavy", ["sympy", "fastapi", "sqlalchemy", "numpy", "latex2mathml", "figures", "mechanics.planar"])
 def test_grading_imports_nothing_heavy(heavy: str) -> None:
     script = (
         "import sys; from exercises import variants; from exercises.grading import grade, reference;"

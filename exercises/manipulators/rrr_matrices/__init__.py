@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from math import pi, radians
 
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, given, option
-from exercises.manipulators.rrr_matrices.figure import figure
 from graders import Expression, Matrix, Quantity
 from mechanics import rod_groups, transform
 
@@ -139,6 +138,5 @@ EXERCISE = Exercise(
         "factors_of_craig": Mistake(**pairs(CRAIG)),
         "degrees_as_radians": Mistake(**pairs(PAIR, "(P[{i};1]*180/pi)")),
     },
-    figure=figure,
     minutes=40,
 )

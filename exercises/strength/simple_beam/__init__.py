@@ -12,7 +12,6 @@ from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, each, giv
 from exercises.strength.simple_beam import lines
 from exercises.strength.simple_beam import loads as kinds
 from exercises.strength.simple_beam.diagram import extreme_place, extremes
-from exercises.strength.simple_beam.figure import figure
 from exercises.strength.simple_beam.loads import Load, Support, places, structure
 from graders import Expression, Quantity
 from mechanics import beam, frame
@@ -145,6 +144,5 @@ EXERCISE = Exercise(
         "clamped": Mistake(C="0"),
         "positive_down": Mistake(lambda givens: {"v_K": f"-({lines.elastic_line(givens)['v_K']})"}),
     },
-    figure=figure,
     minutes=40,
 )

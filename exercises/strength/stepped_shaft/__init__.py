@@ -12,7 +12,6 @@ from math import radians
 
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, given, option
 from exercises.strength.stepped_shaft import lines
-from exercises.strength.stepped_shaft.figure import figure
 from exercises.strength.stepped_shaft.parts import Against, Along, Segment, Solid, Torque, Tube, structure
 from graders import Choice, Expression, Quantity
 from mechanics import frame, shaft
@@ -144,6 +143,5 @@ EXERCISE = Exercise(
         "bending_diameter": Mistake(d_tau="root(32*T_max/(pi*tau_adm); 3)"),
         "smaller_diameter": Mistake(governs=lambda d_tau, d_theta: "strength" if d_tau < d_theta else "stiffness"),
     },
-    figure=figure,
     minutes=40,
 )

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from math import cos, sin
 
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, option
-from exercises.structure.mobility.figure import figure
 from exercises.structure.mobility.layout import Side, lay_out
 from exercises.structure.mobility.parts import (
     Dyad,
@@ -182,6 +181,5 @@ EXERCISE = Exercise(
         "roller_kept": Mistake(roller_kept),
         "loops_without_frame": Mistake(k="p5 + p4 - n + 1"),
     },
-    figure=figure,
     minutes=10,
 )

@@ -10,7 +10,6 @@ from math import pi
 
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, given
 from exercises.transmissions.gear_train import slips
-from exercises.transmissions.gear_train.figure import figure
 from exercises.transmissions.gear_train.wheels import (
     Coaxial,
     Coupled,
@@ -142,6 +141,5 @@ EXERCISE = Exercise(
         "efficiency_once": Mistake(M_out="M_in*u*eta"),
         "torque_divided": Mistake(slips.torque_divided),
     },
-    figure=figure,
     minutes=15,
 )

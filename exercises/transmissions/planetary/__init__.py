@@ -10,7 +10,6 @@ from math import pi
 from typing import Literal
 
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given, option
-from exercises.transmissions.planetary.figure import figure
 from exercises.transmissions.planetary.wheels import Block, Outer, Planet, Ring, Sun, Wheel, inversion, stages
 from graders import Choice, Expression, Quantity, Rational
 from mechanics import gear_train, willis
@@ -169,6 +168,5 @@ EXERCISE = Exercise(
         "planet_kept": Mistake(planet_kept),
         "planet_as_seen": Mistake(planet_as_seen),
     },
-    figure=figure,
     minutes=15,
 )
