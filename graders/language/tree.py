@@ -7,8 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from fractions import Fraction
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +23,8 @@ class Number:
     @property
     def exact(self) -> Fraction:
         """Give the exact rational value; the reader bounds the exponent before this is called."""
+        from fractions import Fraction  # doubles do without it
+
         return Fraction(self.digits) * Fraction(10) ** self.exponent
 
     @property
