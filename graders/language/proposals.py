@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import ALIASES, FUNCTIONS, Symbols, function_named, key
@@ -52,6 +53,7 @@ def nearest(spelling: str, meanings: dict[str, str]) -> str:
 
 
 def _distances(spelling: str, others: Iterable[str], slips: int) -> Iterable[tuple[int, int, str]]:
+    """Give slips, letters shared in front (less is more), and spelling, of those that are near."""
     folded = spelling.lower()
     for other in others:
         if folded == other.lower():
@@ -59,7 +61,8 @@ def _distances(spelling: str, others: Iterable[str], slips: int) -> Iterable[tup
         elif abs(len(other) - len(spelling)) <= slips:
             distance = slips_between(spelling, other)
             if 0 < distance <= slips and distance < len(other):
-                yield 1, distance, other
+                shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(spelling, other, strict=False)))
+                yield distance, -shared, other
 
 
 def slips_between(one: str, other: str) -> int:

@@ -12,7 +12,7 @@ from typing import Any
 
 from exercises import catalogue, variants
 from exercises.solving import Solved
-from graders import Choices, Code, Grader, Ordering, Rational, Symbols, Text
+from graders import Choices, Code, Grader, Ordering, Rational, Set, Symbols, Text
 from graders.language import AnswerSyntaxError
 from graders.language.latex_reader import is_latex, rewritten
 from graders.language.tokens import tokenize
@@ -64,6 +64,8 @@ OTHERS: tuple[tuple[Grader, Any], ...] = (
     (Choices(("crank", "rod", "rocker", "slider")), "crank; rocker"),
     (Ordering(("draw", "solve", "check", "hand in")), "draw; solve; check; hand in"),
     (Text(), ""),
+    (Set("mm"), ((0.0125,), (0.013,))),
+    (Set(("deg", "deg", "mm")), ((0.5, 0.8, 0.1), (0.5, 0.2, -0.1))),
 )
 
 
