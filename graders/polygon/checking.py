@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from math import pi
+from math import pi, remainder
 
 from graders.language.doubles import UndefinedError
 from graders.language.tree import Name, names
 from graders.polygon.drawn import Axis, Drawn, Equation
 from graders.polygon.jets import Trio, jet
 from graders.polygon.mechanism import Mechanism, State
-from graders.polygon.naming import Named, Shape, Trios, mixed, name, other_angles
+from graders.polygon.naming import CLOSE, Named, Shape, Trios, mixed, name, other_angles
 from graders.polygon.trials import diagnose, free_rows, parts_of, proportional, total, truth, values
 from graders.polygon.walks import Walk, Walked, links, rank, walk
 from graders.verdict import RIGHT, UNDECIDED, Code, Flaw, Flaws, Verdict, wrong
@@ -82,7 +82,7 @@ def verdict(drawn: Drawn, mechanism: Mechanism) -> Verdict:
         return UNDECIDED if judged.undecided else RIGHT
     loops = mechanism.loops
     lost = {flaw.subject for flaw in judged.named.flaws}
-    score = sum(v.label not in lost for v in drawn.vectors) / len(drawn.vectors) + judged.walked.right / loops + share
+    score = sum(v.label not in lost for v in drawn.vectors) / len(drawn.vectors) + judged.walked.right + share
     for axis in AXES:
         score += min(loops, sum(judged.satisfied[e] for e in drawn.equations if e.axis == axis)) / loops
     return graded(score / PARTS - (1 / PARTS if flaws[-1].code is Code.NOT_DETERMINED else 0.0), flaws)
@@ -150,6 +150,7 @@ def _measured_otherwise(judged: Judged, own: str, label: str) -> list[tuple[Code
     states = judged.named.states
     angles = Shape.of(judged.drawn.vector(label), states).angles
     others = [Shape.of(v, states).angles for v in judged.drawn.vectors if v.label != label]
+    others = [trios for trios in others if any(abs(remainder(trio[0], pi)) > CLOSE for trio in trios)]
     measures = [(Code.INTERIOR_ANGLE, trios) for trios in other_angles(angles, others)]
     families = {given.rstrip("0123456789_") for given in states[0].names}
     kept = measures[2:] if own.rstrip("0123456789_") in families else measures

@@ -209,7 +209,8 @@ def _angle_flaw(named: Named, vector: Vector, found: Trios, shapes: dict[str, Sh
     shape = shapes[vector.label]
     if not moving(found, named.states):
         signed = shape.along(found[0][0])
-        if signed and any(trio[0] > 0 for trio in signed) and _new(vector.length, named):
+        free = names(vector.length) - named.states[0].names.keys()
+        if free and signed and any(trio[0] > 0 for trio in signed):
             return None
         if not signed and moving(shape.angles, named.states):
             return Code.ANGLE_VARIES

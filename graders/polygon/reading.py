@@ -298,11 +298,16 @@ def _unknowns(lines: list[Line], vectors: tuple[Vector, ...], symbols: Symbols) 
 
 def _listed(piece: Piece, symbols: Symbols) -> list[str]:
     """Read one field of the list; the words between names are left out."""
-    tokens = [word for word in words_of(piece) if not _kind(word.text)]
     found = []
-    for word in tokens:
-        name = symbols.find(word.text.strip(".,;")) or next(iter(new_names(word, symbols).values()), "")
-        if not name:
+    for word in words_of(piece):
+        if symbols.find(word.text) is None and (_kind(word.text) or folded(word.text) in keywords.FILLERS):
+            continue
+        tree = _parsed(word, declare([word], symbols))
+        if not isinstance(tree, Name):
             raise word.error(Reason.NOT_A_LINE)
-        found.append(name)
+        found.append(tree.name)
     return found
+
+
+def _parsed(piece: Piece, symbols: Symbols) -> Tree:
+    return piece.read(lambda text: parse(text, symbols))

@@ -189,14 +189,18 @@ def diagnose(typed: Numbers | None, parts: Sequence[Part] | None, place: str) ->
     """Name the slip, or the two, or the one made in every term, that turn the right equation into the typed one."""
     if typed is None or not parts:
         return []
-    right = total(parts)
+    right, turned = total(parts), list[Flaw]()
     for slips in _combinations(parts):
+        if turned and len(slips) > 1:
+            break
         changed = list(right)
         for part, _, values_ in slips:
             changed = [c - b + v for c, b, v in zip(changed, part.base, values_, strict=True)]
         if proportional(tuple(changed), typed):
-            return _flaws(slips, place)
-    return []
+            if changed[0] * typed[0] > 0:
+                return _flaws(slips, place)
+            turned = turned or _flaws(slips, place)  # the same slip in an equation with both sides exchanged
+    return turned
 
 
 Slip = tuple[Part, Code, Numbers]

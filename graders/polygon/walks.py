@@ -17,11 +17,11 @@ MOST_TURNED = 2  # wrong signs that are looked for in one closure
 
 @dataclass(frozen=True, slots=True)
 class Walked:
-    """The closures: as typed, as they close (None: they do not), how many are right, what is wrong."""
+    """The closures: as typed, as they close (None: they do not), which share is right, what is wrong."""
 
     own: tuple[Walk, ...]
     mended: tuple[Walk | None, ...]
-    right: int
+    right: float
     flaws: tuple[Flaw, ...]
 
 
@@ -29,7 +29,7 @@ def walk(drawn: Drawn, mechanism: Mechanism) -> Walked:
     """Check the closures."""
     own = tuple(_scaled(dict(closure.walked)) for closure in drawn.closures)
     if not own:
-        return Walked((), (), 0, (Flaw(Code.NO_CLOSURE),))
+        return Walked((), (), 0.0, (Flaw(Code.NO_CLOSURE),))
     ends = {v.label: (v.start, v.end) for v in drawn.vectors}
     flaws: list[Flaw] = []
     mended: list[Walk | None] = []
@@ -46,7 +46,7 @@ def walk(drawn: Drawn, mechanism: Mechanism) -> Walked:
             flaws.append(Flaw(Code.DEPENDENT_LOOP, str(at)))
     if len(own) < mechanism.loops:
         flaws.append(Flaw(Code.MISSING_LOOP, str(mechanism.loops)))
-    return Walked(own, tuple(mended), min(len(whole), mechanism.loops), tuple(flaws))
+    return Walked(own, tuple(mended), len(whole) / max(len(own), mechanism.loops), tuple(flaws))
 
 
 def _scaled(walked: Walk) -> Walk:
@@ -56,9 +56,10 @@ def _scaled(walked: Walk) -> Walk:
 
 
 def _mend(walked: Walk, ends: Mapping[str, tuple[str, str]], name: str) -> tuple[Walk | None, list[Flaw]]:
-    """Close a walk by turning as few signs as it takes."""
+    """Close a walk by turning as few signs as it takes, that of the first vector last."""
+    first = next(iter(walked), "")
     for count in range(min(len(walked) // 2, MOST_TURNED) + 1):
-        for turned in combinations(walked, count):
+        for turned in sorted(combinations(walked, count), key=lambda labels: first in labels):
             tried = {label: -factor if label in turned else factor for label, factor in walked.items()}
             if not _gaps(tried, ends):
                 return tried, [Flaw(Code.CLOSURE_SIGN, label, name) for label in turned]

@@ -63,7 +63,8 @@ y: l1*sin(alpha1) + l2*sin(alpha2) = 0
 unknowns: alpha2; l3""",
     velocity="""x: -l1*omega1*sin(alpha1) - l2*omega2*sin(alpha2) - v3 = 0
 y: l1*omega1*cos(alpha1) + l2*omega2*cos(alpha2) = 0""",
-    acceleration="""x: -l1*epsilon1*sin(alpha1) - l1*omega1^2*cos(alpha1) - l2*epsilon2*sin(alpha2) - l2*omega2^2*cos(alpha2) - a3 = 0
+    acceleration="x: -l1*epsilon1*sin(alpha1) - l1*omega1^2*cos(alpha1) - l2*epsilon2*sin(alpha2)"
+    """ - l2*omega2^2*cos(alpha2) - a3 = 0
 y: l1*epsilon1*cos(alpha1) - l1*omega1^2*sin(alpha1) + l2*epsilon2*cos(alpha2) - l2*omega2^2*sin(alpha2) = 0""",
 )
 OFFSET = Mechanism(
@@ -105,8 +106,10 @@ y: l0 + l1*sin(alpha1) - l2*sin(alpha2) = 0
 unknowns: l2; alpha2""",
     velocity="""x: -l1*omega1*sin(alpha1) - v2*cos(alpha2) + l2*omega2*sin(alpha2) = 0
 y: l1*omega1*cos(alpha1) - v2*sin(alpha2) - l2*omega2*cos(alpha2) = 0""",
-    acceleration="""x: -l1*epsilon1*sin(alpha1) - l1*omega1^2*cos(alpha1) - a2*cos(alpha2) + 2*v2*omega2*sin(alpha2) + l2*epsilon2*sin(alpha2) + l2*omega2^2*cos(alpha2) = 0
-y: l1*epsilon1*cos(alpha1) - l1*omega1^2*sin(alpha1) - a2*sin(alpha2) - 2*v2*omega2*cos(alpha2) - l2*epsilon2*cos(alpha2) + l2*omega2^2*sin(alpha2) = 0""",
+    acceleration="x: -l1*epsilon1*sin(alpha1) - l1*omega1^2*cos(alpha1) - a2*cos(alpha2) + 2*v2*omega2*sin(alpha2)"
+    " + l2*epsilon2*sin(alpha2) + l2*omega2^2*cos(alpha2) = 0\n"
+    "y: l1*epsilon1*cos(alpha1) - l1*omega1^2*sin(alpha1) - a2*sin(alpha2) - 2*v2*omega2*cos(alpha2)"
+    " - l2*epsilon2*cos(alpha2) + l2*omega2^2*sin(alpha2) = 0",
 )
 
 
