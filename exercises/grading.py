@@ -101,13 +101,19 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
         if isinstance(answer, Verdict):
             verdicts[name] = answer
             continue
-        verdict = solved.answers[name].check(answer, solved.reference(name))
+        verdict = solved.answers[name].check(answer, _against(solved, read, name, solved.reference(name)))
         if verdict.outcome in (Outcome.WRONG, Outcome.PARTLY):
             if fixed and _follows(solved, name, answer, fixed):
                 verdict = FOLLOWED
             _carry(solved, name, answer, fixed)
         verdicts[name] = verdict
     return verdicts
+
+
+def _against(solved: Solved, read: Mapping[str, Any], name: str, reference: Any) -> Any:
+    """Give what an answer is judged against; a judge that stands beside another answer is handed it as it was read."""
+    beside = read.get(getattr(solved.answers[name], "beside", ""))
+    return reference if beside is None or isinstance(beside, Verdict) else reference.beside(beside)
 
 
 def _follows(solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree]) -> bool:
@@ -152,7 +158,10 @@ def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Ver
     if not any(verdicts[name].outcome is Outcome.WRONG or verdicts[name] is FOLLOWED for name in given):
         return None
     for mistake, expected in predictions(solved).items():
-        if all(_predicted(solved, name, answer, expected[name]) for name, answer in given.items()):
+        if all(
+            _predicted(solved, name, answer, _against(solved, read, name, expected[name]))
+            for name, answer in given.items()
+        ):
             return mistake
     return None
 

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from graders.kinds.integer import Integer
     from graders.kinds.matrix import Matrix
     from graders.kinds.ordering import Ordering
+    from graders.kinds.polygon import Polygon
     from graders.kinds.quantity import Quantity
+    from graders.kinds.rates import Rates
     from graders.kinds.rational import Rational
     from graders.kinds.set import Set
     from graders.kinds.text import Text
@@ -33,7 +35,9 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Integer": "integer",
     "Matrix": "matrix",
     "Ordering": "ordering",
+    "Polygon": "polygon",
     "Quantity": "quantity",
+    "Rates": "rates",
     "Rational": "rational",
     "Set": "set",
     "Text": "text",
@@ -53,7 +57,9 @@ __all__ = [
     "Matrix",
     "Ordering",
     "Outcome",
+    "Polygon",
     "Quantity",
+    "Rates",
     "Rational",
     "Reference",
     "Samples",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from math import pi, remainder
 
 from graders.language.doubles import UndefinedError
@@ -56,8 +57,9 @@ def states_of(mechanism: Mechanism) -> tuple[State, ...]:
     return states
 
 
+@lru_cache(maxsize=64)
 def judge(drawn: Drawn, mechanism: Mechanism) -> Judged:
-    """Check vectors, closures and projections of a polygon."""
+    """Check vectors, closures and projections of a polygon; what was found is kept for the judges beside it."""
     named = name(drawn, states_of(mechanism))
     named.flaws = [*links(drawn, mechanism), *named.flaws]
     judged = Judged(drawn, mechanism, named, walk(drawn, mechanism), free_rows(named, drawn.names))
@@ -69,9 +71,10 @@ def judge(drawn: Drawn, mechanism: Mechanism) -> Judged:
     return judged
 
 
+@lru_cache(maxsize=64)
 def verdict(drawn: Drawn, mechanism: Mechanism) -> Verdict:
     """Judge a polygon."""
-    judged = judge(drawn, mechanism)
+    judged = judge(drawn, mechanism.alone())
     flaws = [*judged.named.flaws, *judged.walked.flaws, *judged.flaws]
     flaws += _missing(judged)
     unknown, share = _unknowns(judged)

@@ -52,3 +52,7 @@ class Mechanism:
     def beside(self, own: Drawn) -> Mechanism:
         """Give the same mechanism beside the polygon that the student drew for it."""
         return replace(self, own=own)
+
+    def alone(self) -> Mechanism:
+        """Give the same mechanism without the student's polygon."""
+        return replace(self, own=None) if self.own else self

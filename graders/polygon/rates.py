@@ -141,11 +141,12 @@ def _model(polygon: str, nodes: tuple[str, ...], given: tuple[str, ...]) -> Draw
     return read_polygon(polygon, Symbols(given), nodes)
 
 
+@lru_cache(maxsize=64)
 def verdict(answer: Differentiated, mechanism: Mechanism, order: int) -> Verdict:
     """Judge velocity (order 1) or acceleration equations (order 2)."""
     given = tuple(mechanism.states()[0].names)
     drawn = mechanism.own or _model(mechanism.polygon, mechanism.nodes, given)
-    judged = judge(drawn, mechanism)
+    judged = judge(drawn, mechanism.alone())
     check = _Check(judged, _Meaning(judged.named, dict(answer.said), judged.named.unknowns(drawn)), order)
     outcomes = [check.equation(equation) for equation in answer.equations]
     flaws = [*check.flaws, *_missing(answer, judged)]
