@@ -66,13 +66,11 @@ class Entry:
     folder: Path
 
     def picture(self, givens: Any, lang: str) -> Picture | None:
-        """Draw the figure of a variant with the `figure` of the folder's `figure.py`, if it has one."""
-        if not (self.folder / "figure.py").is_file():
-            return None
-        drawn: Picture = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure(
-            givens, self.words[lang]["figure"], lang
-        )
-        return drawn
+        """Draw the figure of a variant, if it has one, as the exercise says or by the folder's `figure.py`."""
+        draw = self.exercise.figure
+        if draw is None and (self.folder / "figure.py").is_file():
+            draw = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure
+        return draw(givens, self.words[lang]["figure"], lang) if draw else None
 
 
 @lru_cache(maxsize=1)
