@@ -33,12 +33,12 @@ def is_latex(text: str) -> bool:
 
 
 def through(latex: str, read: Callable[[str], Read]) -> Read:
-    """Read LaTeX by a reader of plain text; the place of an error is given in the LaTeX.
+    """Read LaTeX by a reader of plain text; raises AnswerSyntaxError with the place in the LaTeX."""
+    return kept(rewritten(latex), read)
 
-    Raises:
-        AnswerSyntaxError: The LaTeX, or what it means, cannot be read.
-    """
-    plain = rewritten(latex)
+
+def kept(plain: Rewritten, read: Callable[[str], Read]) -> Read:
+    """Read what was rewritten; raises AnswerSyntaxError with the place in the LaTeX."""
     try:
         return read(plain.text)
     except AnswerSyntaxError as error:

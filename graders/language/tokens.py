@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, rewritten, through
+from graders.language.latex_reader import is_latex, kept, rewritten
 from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 
 MAX_LENGTH = 2000
@@ -51,8 +51,8 @@ def tokenize(text: str) -> list[Token]:
 
 
 def _of_latex(latex: str) -> list[Token]:
-    places = rewritten(latex).places
-    return [token._replace(position=places[token.position]) for token in through(latex, _tokens)]
+    plain = rewritten(latex)
+    return [token._replace(position=plain.places[token.position]) for token in kept(plain, _tokens)]
 
 
 def _tokens(text: str) -> list[Token]:
