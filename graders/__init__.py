@@ -15,6 +15,7 @@ from graders.verdict import Code, Outcome, Verdict
 if TYPE_CHECKING:
     from graders.kinds.choice import Choice
     from graders.kinds.choices import Choices
+    from graders.kinds.diagram import Diagram
     from graders.kinds.expression import Expression
     from graders.kinds.integer import Integer
     from graders.kinds.matrix import Matrix
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 JUDGES = {  # one row an answer kind: the class and its module, which has the name of the kind
     "Choice": "choice",
     "Choices": "choices",
+    "Diagram": "diagram",
     "Expression": "expression",
     "Integer": "integer",
     "Matrix": "matrix",
@@ -49,6 +51,7 @@ __all__ = [
     "Choice",
     "Choices",
     "Code",
+    "Diagram",
     "Echo",
     "Expression",
     "Formula",

@@ -7,6 +7,7 @@ from enum import StrEnum
 from typing import TypeAlias
 
 from graders.language.errors import AnswerSyntaxError, Proposal, Reason
+from graders.remarks import Remarks
 
 
 class Outcome(StrEnum):
@@ -41,6 +42,9 @@ class Code(StrEnum):
     SURPLUS_BRANCH = "surplus_branch"
     DOUBLED_BRANCH = "doubled_branch"
     WRONG_SHAPE = "wrong_shape"
+    OPPOSITE_CONVENTION = "opposite_convention"
+    SOME_MARKS = "some_marks"
+    NO_MARKS = "no_marks"
     # polygons and their derivatives
     NO_LINK = "no_link"
     WRONG_LENGTH = "wrong_length"
@@ -99,6 +103,9 @@ OUTCOMES = {
     Code.SURPLUS_BRANCH: Outcome.PARTLY,
     Code.DOUBLED_BRANCH: Outcome.PARTLY,
     Code.WRONG_SHAPE: Outcome.WRONG,
+    Code.OPPOSITE_CONVENTION: Outcome.PARTLY,
+    Code.SOME_MARKS: Outcome.PARTLY,
+    Code.NO_MARKS: Outcome.WRONG,
     Code.NO_LINK: Outcome.PARTLY,
     Code.WRONG_LENGTH: Outcome.PARTLY,
     Code.LENGTH_VARIES: Outcome.PARTLY,
@@ -186,7 +193,7 @@ class Branches:
     given: int
 
 
-Details: TypeAlias = Reading | Entries | Witness | Branches | Flaws | None
+Details: TypeAlias = Reading | Entries | Witness | Branches | Flaws | Remarks | None
 
 
 @dataclass(frozen=True, slots=True)

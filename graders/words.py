@@ -9,9 +9,11 @@ from typing import Any
 
 from graders.language.errors import Reason
 from graders.language.notes import Note
+from graders.remarks import Remark, Remarks
 from graders.verdict import Branches, Code, Entries, Flaws, Reading, Verdict
 
 LANGUAGES = ("pl", "en", "ru")
+MOST_REMARKS = 3  # read at once
 LOCALES = Path(__file__).parent / "locales"
 
 
@@ -49,12 +51,21 @@ def message(verdict: Verdict, lang: str) -> str:
             return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)
         case Branches(right=right, given=given):
             return str(words["codes"][verdict.code.value]).format(right=right, given=given)
+        case Remarks(right=right, total=total, found=remarks):
+            front = str(words["codes"][verdict.code.value]).format(right=right, total=total)
+            return " ".join([front, *(_remarked(words, remark, lang) for remark in remarks[:MOST_REMARKS])])
         case Flaws(found=found):
             return " ".join(
                 str(words["codes"][flaw.code.value]).format(subject=flaw.subject, place=flaw.place) for flaw in found
             )
         case _:
             return str(words["codes"][verdict.code.value])
+
+
+def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:
+    place, until = ("" if x is None else decimal(x, lang, 4) for x in (remark.place, remark.until))
+    unit = f"\u202f{remark.unit}" if remark.unit not in ("", "deg") else "°" if remark.unit else ""
+    return str(words["slips"][remark.slip.value]).format(place=place + unit, until=until + unit, name=remark.name)
 
 
 def noted(notes: Iterable[Note], lang: str) -> str:

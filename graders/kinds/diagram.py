@@ -1,0 +1,181 @@
+"""Judge of a diagram of an internal force, or of any curve of numbers along a bar."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Samples
+from graders.language.mathml import mathml_of
+from graders.language.symbols import Symbols
+from graders.language.text import text_of
+from graders.profile.drawn import Axes, Part, is_table, read_parts, read_table
+from graders.profile.marks import Comparison, compare, idle_share
+from graders.profile.stretches import Profile, Rows, Stretch, highest, inner_places, profile_of, rows_of
+from graders.remarks import Remarks
+from graders.units import read_unit
+from graders.verdict import RIGHT, Code, Verdict, wrong
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A diagram as typed: pieces to be laid over the span, or the stretches of a table."""
+
+    parts: tuple[Part, ...]
+    table: Profile
+
+    def over(self, first: float, last: float) -> Profile:
+        """Give the typed curve over a span, in SI units."""
+        return self.table or tuple(one for part in self.parts for one in part.stretches(first, last))
+
+
+@dataclass(frozen=True, slots=True)
+class Diagram:
+    """A curve along a bar, piece by piece; its reference is a matrix with a row `start, end, c0, c1, ...` a stretch,
+    the c's being the coefficients of powers of the distance from its start (SI units).
+
+    Args:
+        unit: The unit of the ordinates, in which bare numbers are read.
+        quantity: What is drawn: N, T, V or M, or another letter.
+        x_unit: The unit of places.
+        rtol: Tolerance of an ordinate over the largest ordinate of the diagram.
+        step: The step asked for; empty for the step named like the answer.
+        weight: Share in the score.
+        opposite_credit: Score for a diagram that is right but for the sign convention.
+        x: The name of the variable.
+    """
+
+    unit: str
+    quantity: str = "M"
+    x_unit: str = "m"
+    rtol: float = 0.01
+    step: str = ""
+    weight: float = 1.0
+    opposite_credit: float = 0.5
+    x: str = "x"
+    kind: ClassVar[str] = "diagram"
+    symbolic: ClassVar[bool] = False
+
+    def parse(self, text: str, symbols: Symbols) -> Drawn:
+        """Read pieces `0 .. 1,5: 4*x`, one formula with brackets, or rows `x; left; right`; AnswerSyntaxError."""
+        if is_table(text):
+            return Drawn((), read_table(text, self._axes))
+        return Drawn(read_parts(text, self._axes), ())
+
+    @property
+    def _axes(self) -> Axes:
+        return Axes(self.x, self.x_unit, self.unit)
+
+    def check(self, answer: Drawn, reference: Rows) -> Verdict:
+        """Judge each mark for itself; the credit is counted from that of a diagram left at zero."""
+        true = profile_of(reference)
+        drawn = answer.over(true[0].start, true[-1].end)
+        seen = compare(drawn, true, self.rtol)
+        if seen.right:
+            return RIGHT
+        return self._whole(drawn, true) or self._partly(seen, idle_share(true, self.rtol))
+
+    def _whole(self, drawn: Profile, true: Profile) -> Verdict | None:
+        """Recognise a diagram that is right but for its sign or for a power of ten."""
+        if compare(_scaled(drawn, -1.0), true, self.rtol).right:
+            return Verdict(self.opposite_credit, Code.OPPOSITE_CONVENTION)
+        height = highest(drawn)
+        power = round(math.log10(height / highest(true))) if height else 0
+        if power and abs(power) <= 12 and compare(_scaled(drawn, 10.0**-power), true, self.rtol).right:
+            return wrong(Code.FACTOR_OF_TEN)
+        return None
+
+    def _partly(self, seen: Comparison, idle: float) -> Verdict:
+        marks = seen.marks()
+        places = read_unit(self.x_unit).factor
+        flaws = tuple(mark.flaws[0].in_unit(places, self.x_unit) for mark in marks if mark.flaws)
+        remarks = Remarks(sum(mark.share == 1 for mark in marks), len(marks), flaws)
+        score = max(0.0, round((seen.share - idle) / (1 - idle), 6))
+        return Verdict(score, Code.SOME_MARKS, remarks) if score else wrong(Code.NO_MARKS, remarks)
+
+    def show(self, reference: Rows) -> str:
+        """Write the pieces as a student could type them, a line each."""
+        return "\n".join(self._lines(profile_of(reference)))
+
+    def _lines(self, profile: Sequence[Stretch]) -> list[str]:
+        place, factor = read_unit(self.x_unit).factor, read_unit(self.unit).factor
+        return [
+            f"{one.start / place:.8g} .. {one.end / place:.8g}: {_typed(one, self.x, place, factor)}" for one in profile
+        ]
+
+    def samples(self, reference: Rows) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        profile = profile_of(reference)
+        lines = self._lines(profile)
+        comma = "; ".join(line.replace(".", ",").replace(",,", "..").replace(" .. ", " … ") for line in lines)
+        off = _scaled(profile, 3.0)
+        wrong_ones = ("\n".join(self._lines(off)), "\n".join(self._lines(_scaled(profile, -1.0))), f"0*{self.x}")
+        return Samples((self.show(reference), comma), wrong_ones, ("", "0 .. : 3", "0 .. 1", f"0 .. 1: {self.x} +"))
+
+    def echo(self, answer: Drawn, comma: bool = False) -> Echo:
+        """Say which pieces were read."""
+        if answer.table:
+            return Echo("", "; ".join(self._lines(answer.table)), self.unit)
+        place = read_unit(self.x_unit).factor
+        heads = [_head(part, place) for part in answer.parts]
+        trees = [part.tree for part in answer.parts]
+        texts = [f"{head}: {text_of(tree)}".removeprefix(": ") for head, tree in zip(heads, trees, strict=True)]
+        bodies = [mathml_of(tree, comma).removeprefix("<math>").removesuffix("</math>") for tree in trees]
+        heads = [head.replace(".", ",").replace(",,", "..") if comma else head for head in heads]
+        rows = [
+            f"<mtr><mtd><mtext>{head}</mtext></mtd><mtd>{body}</mtd></mtr>"
+            for head, body in zip(heads, bodies, strict=True)
+        ]
+        return Echo(f"<math><mtable>{''.join(rows)}</mtable></math>", "; ".join(texts), self.unit)
+
+    def carried(self, answer: Drawn) -> Rows | None:
+        """Give the typed curve where it names its own span."""
+        if not answer.table and any(part.start is None for part in answer.parts):
+            return None
+        return rows_of(answer.over(0.0, 1.0))
+
+    def apart(self, one: Rows, other: Rows) -> float:
+        """Give the largest difference of two curves in tolerances; infinite where their spans differ."""
+        a, b = profile_of(one), profile_of(other)
+        if (a[0].start, a[-1].end) != (b[0].start, b[-1].end):
+            return math.inf
+        seen = compare(a, b, 1.0)
+        scale = self.rtol * max(highest(a), highest(b))
+        differences = [
+            abs(pair.true.at(x) - pair.drawn.at(x))
+            for pair in seen.pairs
+            if pair.drawn is not None
+            for x in inner_places(pair.true.start, pair.true.end)
+        ]
+        return max(differences) / scale if scale else 0.0
+
+    def describe(self) -> Mapping[str, Any]:
+        """Give what is drawn, its units and its tolerance."""
+        return {"unit": self.unit, "x_unit": self.x_unit, "quantity": self.quantity, "largest": self.rtol}
+
+
+def _head(part: Part, place: float) -> str:
+    if part.start is None or part.end is None:
+        return ""
+    return f"{part.start / place:.6g} .. {part.end / place:.6g}"
+
+
+def _scaled(profile: Profile, factor: float) -> Profile:
+    return tuple(one.scaled(factor) for one in profile)
+
+
+def _typed(one: Stretch, x: str, place: float, factor: float) -> str:
+    """Write a stretch by powers of the distance from its start."""
+    start = one.start / place
+    distance = f"({x} - {start:.8g})" if start > 0 else f"({x} + {-start:.8g})" if start < 0 else x
+    terms = [(c * place**power / factor, power) for power, c in enumerate(one.curve)]
+    largest = max(abs(c) for c, _ in terms)
+    kept = [(c, power) for c, power in terms if abs(c) > 1e-13 * largest] or [(0.0, 0)]
+    text = " + ".join(f"{c:.10g}" + _power(distance, power) for c, power in kept)
+    return text.replace("+ -", "- ")
+
+
+def _power(distance: str, power: int) -> str:
+    return "" if power == 0 else f"*{distance}" if power == 1 else f"*{distance}^{power}"
