@@ -39,7 +39,7 @@ class Names:
     speed: str = "ω1"
 
 
-def draw(prefix: str, words: Words, names: Names, sense: Literal["ccw", "cw"] = "ccw") -> Picture:
+def draw(prefix: str, words: Words, names: Names, sense: Literal["ccw", "cw"] = "ccw", polygon: bool = True) -> Picture:
     """Draw the scheme and, under it in the same pose, its vector polygon.
 
     Args:
@@ -47,8 +47,12 @@ def draw(prefix: str, words: Words, names: Names, sense: Literal["ccw", "cw"] = 
         words: Title, description and table.
         names: Letters of points, links, vectors, angles and of the speed of the crank.
         sense: In which sense the crank turns.
+        polygon: Whether the polygon is drawn; where it is asked for, it is not.
     """
-    pieces = [*_projections(), *_scheme(names, sense), *_polygon(names)]
+    if polygon:
+        pieces = [*_projections(), *_scheme(names, sense), *_polygon(names)]
+    else:
+        pieces = [*_scheme(names, sense), *written(symbol("x", "thin"), _C + 62 + 8j, "middle")]
     svg = Drawing(tuple(pieces)).to_svg(prefix, words.title, words.description, WIDTH)
     return Picture(svg, words.table)
 
