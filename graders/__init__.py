@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from graders.kinds.choices import Choices
     from graders.kinds.diagram import Diagram
     from graders.kinds.expression import Expression
+    from graders.kinds.function import Function
     from graders.kinds.integer import Integer
     from graders.kinds.matrix import Matrix
     from graders.kinds.ordering import Ordering
@@ -34,6 +35,7 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Choices": "choices",
     "Diagram": "diagram",
     "Expression": "expression",
+    "Function": "function",
     "Integer": "integer",
     "Matrix": "matrix",
     "Ordering": "ordering",
@@ -55,6 +57,7 @@ __all__ = [
     "Echo",
     "Expression",
     "Formula",
+    "Function",
     "Grader",
     "Integer",
     "Matrix",

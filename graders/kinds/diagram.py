@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
-from graders.language.mathml import mathml_of
 from graders.language.symbols import Symbols
-from graders.language.text import text_of
 from graders.profile.drawn import Axes, Part, is_table, read_parts, read_table
+from graders.profile.echoes import echoed
 from graders.profile.marks import Comparison, compare, idle_share
 from graders.profile.stretches import Profile, Rows, Stretch, highest, inner_places, profile_of, rows_of
 from graders.remarks import Remarks
@@ -120,15 +119,7 @@ class Diagram:
             return Echo("", "; ".join(self._lines(answer.table)), self.unit)
         place = read_unit(self.x_unit).factor
         heads = [_head(part, place) for part in answer.parts]
-        trees = [part.tree for part in answer.parts]
-        texts = [f"{head}: {text_of(tree)}".removeprefix(": ") for head, tree in zip(heads, trees, strict=True)]
-        bodies = [mathml_of(tree, comma).removeprefix("<math>").removesuffix("</math>") for tree in trees]
-        heads = [head.replace(".", ",").replace(",,", "..") if comma else head for head in heads]
-        rows = [
-            f"<mtr><mtd><mtext>{head}</mtext></mtd><mtd>{body}</mtd></mtr>"
-            for head, body in zip(heads, bodies, strict=True)
-        ]
-        return Echo(f"<math><mtable>{''.join(rows)}</mtable></math>", "; ".join(texts), self.unit)
+        return echoed(heads, [part.tree for part in answer.parts], comma, self.unit)
 
     def carried(self, answer: Drawn) -> Rows | None:
         """Give the typed curve where it names its own span."""

@@ -1,0 +1,141 @@
+"""Judge of a function of the place along a bar, with Macaulay brackets or piece by piece."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from graders.judge import Echo, Formula, Samples
+from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.symbols import Symbols
+from graders.language.text import text_of
+from graders.language.tree import Grid, Index, Relation, Tree, names, walk
+from graders.profile.bracketed import Part, Span, Tried, constant_factor, linear_difference, tried
+from graders.profile.echoes import echoed
+from graders.profile.ranges import Piece, Ranged, read_formula, read_ranges
+from graders.remarks import Remark, Remarks, Slip
+from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, wrong
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function of the place in the symbols of the task, equal to the step's formula on the whole span.
+
+    Args:
+        step: The step whose formula is asked for; the variable is one of the givens.
+        places: Names of the givens at which a stretch may end, from left to right; the last is the end of the span,
+            which starts at 0.
+        x: The given that is the variable.
+        constants: Whether constants of integration stand in it.
+        weight: Share in the score.
+    """
+
+    step: str
+    places: tuple[str, ...]
+    x: str = "x"
+    constants: bool = False
+    weight: float = 1.0
+    kind: ClassVar[str] = "function"
+    symbolic: ClassVar[bool] = True
+
+    def parse(self, text: str, symbols: Symbols) -> tuple[Part, ...]:
+        """Read `R_A*x - F1*<x-a1>^1`, or pieces `0 .. a1: R_A*x`, a line each; raises AnswerSyntaxError."""
+        return tuple(self._part(ranged, symbols) for ranged in read_ranges(text))
+
+    def _part(self, ranged: Ranged, symbols: Symbols) -> Part:
+        start, end = (
+            None if piece is None else _formula(piece, symbols, symbols.names - {self.x})
+            for piece in (ranged.start, ranged.end)
+        )
+        return Part(start, end, _formula(ranged.body, symbols, symbols.names))
+
+    def check(self, answer: tuple[Part, ...], reference: Formula) -> Verdict:
+        """Judge by ball arithmetic on both sides of every place; what cannot be decided is kept for the lecturer."""
+        from graders.equality import Finding
+
+        beside = tried(answer, reference, Span(self.x, self.places))
+        found = beside.finding()
+        if found is Finding.EQUAL:
+            return RIGHT
+        if found is Finding.UNDECIDED:
+            return UNDECIDED
+        if found is Finding.UNDEFINED:
+            return wrong(Code.UNDEFINED)
+        if beside.finding(negated=True) is Finding.EQUAL:
+            return wrong(Code.OPPOSITE_SIGN)
+        return self._partly(beside)
+
+    def _partly(self, beside: Tried) -> Verdict:
+        """Count the stretches that are right; the first one alone earns nothing."""
+        from graders.equality import Finding
+
+        right = [beside.finding(stretch) is Finding.EQUAL for stretch in range(beside.stretches)]
+        remarks = Remarks(sum(right), len(right), (self._remark(beside, right),))
+        score = max(0.0, round((sum(right) - 1) / (len(right) - 1), 6)) if len(right) > 1 else 0.0
+        return Verdict(score, Code.SOME_MARKS, remarks) if score else wrong(Code.NO_MARKS, remarks)
+
+    def _remark(self, beside: Tried, right: list[bool]) -> Remark:
+        covering = {len(spot.parts) for spot in beside.spots}
+        if covering != {1}:
+            return Remark(Slip.NOT_COVERED if 0 in covering else Slip.COVERED_TWICE)
+        if any(right):
+            return self._where(right)
+        if constant_factor(beside):
+            return Remark(Slip.FACTOR)
+        if self.constants and linear_difference(beside):
+            return Remark(Slip.CONSTANT)
+        return Remark(Slip.EVERYWHERE)
+
+    def _where(self, right: list[bool]) -> Remark:
+        """Name the place at which it begins or ceases to be right."""
+        first = right.index(False)
+        if not any(right[first:]):
+            return Remark(Slip.FROM_HERE, name=self.places[first - 1])
+        if all(right[right.index(True) :]):
+            return Remark(Slip.OPEN_TOO_EARLY, name=self.places[right.index(True) - 1])
+        before = self.places[first - 1] if first else "0"
+        return Remark(Slip.STRETCH, name=f"{before} .. {self.places[first]}")
+
+    def show(self, reference: Formula) -> str:
+        """Write the function as a student could type it."""
+        return text_of(reference.tree)
+
+    def samples(self, reference: Formula) -> Samples:
+        """Give texts that must be judged right, wrong and unreadable."""
+        text, end = text_of(reference.tree), self.places[-1]
+        halves = f"0 .. {end}/2: {text}\n{end}/2 .. {end}: {text}"
+        right = (text, f"2*({text})/2", f"{self.step} = {text}", f"0 .. {end}: {text}", halves)
+        off = (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})", f"0 .. {end}/2: {text}")
+        return Samples(right, off, ("", f"({text}", "1 +", f"0 .. {end}", self.step))
+
+    def echo(self, answer: tuple[Part, ...], comma: bool = False) -> Echo:
+        """Show the function as it was read."""
+        heads = [
+            f"{text_of(part.start)} .. {text_of(part.end)}" if part.start is not None and part.end is not None else ""
+            for part in answer
+        ]
+        return echoed(heads, [part.body for part in answer], comma)
+
+    def carried(self, answer: tuple[Part, ...]) -> Tree | None:
+        """Give the student's formula, if it is one for the whole span."""
+        return answer[0].body if len(answer) == 1 else None
+
+    def apart(self, one: Formula, other: Formula) -> float:
+        """Two functions are equal or far apart."""
+        same = self.check((Part(None, None, one.tree),), other).code is Code.RIGHT
+        return 0.0 if same else float("inf")
+
+    def describe(self) -> Mapping[str, Any]:
+        """Give the variable and its range."""
+        return {"variable": self.x, "span": f"0 .. {self.places[-1]}"}
+
+
+def _formula(piece: Piece, symbols: Symbols, allowed: frozenset[str]) -> Tree:
+    tree = read_formula(piece, symbols)
+    if any(isinstance(node, Relation | Grid | Index) for node in walk(tree)):
+        raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, piece.place, piece.text[:20])
+    forbidden = sorted(names(tree) - allowed)
+    if forbidden:
+        raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, piece.place, forbidden[0])
+    return tree
