@@ -183,9 +183,9 @@ SENSITIVE = Arithmetic(
         "log_base": _two(JETS.functions["log_base"]),
         "+": lambda a, b: (a[0] + b[0], a[1] + b[1]),
         "-": lambda a, b: (a[0] - b[0], a[1] + b[1]),
-        "*": lambda a, b: (a[0] * b[0], a[1] * b[1]),
+        "*": lambda a, b: (a[0] * b[0], abs(a[0]) * b[1] + abs(b[0]) * a[1]),
         "pi": lambda: (math.pi, math.pi),
-        "integer_power": lambda base, n: (base[0] ** n, base[1] ** n if n else 1.0),
+        "integer_power": lambda base, n: _felt(lambda x: _power(x, float(n)))(base),
     },
 )  # fmt: skip
 

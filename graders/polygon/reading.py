@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from graders.language.errors import AnswerSyntaxError, Reason
@@ -143,15 +143,7 @@ class _Draft:
         return list(self.said.values())
 
     def _field(self, piece: Piece, nodes: tuple[str, ...]) -> None:
-        words = words_of(piece)
-        what, marks = "", set()
-        while words and (mark := _kind(words[0].text)):
-            what = what or (mark if mark in ("length", "angle") else "")
-            marks.add(mark)
-            words = words[1:]
-        while words and (mark := _kind(words[-1].text)) in ("constant", "sought", "known"):
-            marks.add(mark)
-            words = words[:-1]
+        words, what, marks = _without_keywords(words_of(piece))
         if not what and self.ends is None and (ends := _ends(words, nodes)):
             self.ends = ends
             return
@@ -174,20 +166,33 @@ class _Draft:
         )  # fmt: skip
 
 
+def _without_keywords(words: list[Piece]) -> tuple[list[Piece], str, set[str]]:
+    """Take the keywords off both ends: what is left, "length" or "angle" if said, and what was said of it."""
+    said = set()
+    while words and (kind := _kind(words[0].text, words[1:])):
+        said.add(kind)
+        words = words[1:]
+    while words and (kind := _kind(words[-1].text)) not in ("", "filler"):
+        said.add(kind)
+        words = words[:-1]
+    return words, next((what for what in ("length", "angle") if what in said), ""), said
+
+
 def _without_equals(piece: Piece) -> Piece:
     return piece.cut(len(piece.text) - len(piece.text.lstrip("=: ")))
 
 
-def _kind(word: str) -> str:
-    """Tell what a word of a field says, nothing where it belongs to a formula."""
+def _kind(word: str, behind: Sequence[Piece] = ()) -> str:
+    """Tell what a word of a field says, nothing where it belongs to a formula; `o` is said before `długości` only."""
     said = folded(word)
     for kind, listed in (
         ("length", keywords.LENGTH), ("angle", keywords.ANGLE), ("constant", keywords.CONSTANT),
-        ("sought", keywords.SOUGHT), ("known", keywords.KNOWN), ("filler", keywords.FILLERS),
+        ("sought", keywords.SOUGHT), ("known", keywords.KNOWN),
     ):  # fmt: skip
-        if said in listed and len(said) > (kind == "filler"):
+        if said in listed:
             return kind
-    return ""
+    alone = len(said) == 1 and not (behind and _kind(behind[0].text) in ("length", "angle"))
+    return "filler" if said in keywords.FILLERS and not alone else ""
 
 
 def _formula(text: str, symbols: Symbols) -> Tree:
