@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from graders.kinds.quantity import Quantity
     from graders.kinds.rates import Rates
     from graders.kinds.rational import Rational
+    from graders.kinds.samples import Series
     from graders.kinds.set import Set
     from graders.kinds.text import Text
 
@@ -43,6 +44,7 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Quantity": "quantity",
     "Rates": "rates",
     "Rational": "rational",
+    "Series": "samples",
     "Set": "set",
     "Text": "text",
 }
@@ -69,6 +71,7 @@ __all__ = [
     "Rational",
     "Reference",
     "Samples",
+    "Series",
     "Set",
     "States",
     "Symbols",
