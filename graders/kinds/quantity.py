@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
@@ -16,14 +17,16 @@ from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
-from graders.language.tokens import MAX_LENGTH, Token, tokenize
+from graders.language.tokens import LETTER, MAX_LENGTH, Token, tokenize
 from graders.language.tree import Angle, Number, Tree, Unary, walk
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
+LONGEST = 200  # characters of an amount that is read at a glance
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
+NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
@@ -65,18 +68,23 @@ class Quantity:
 
     def parse(self, text: str, symbols: Symbols) -> Amount:
         """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
+        plain = _plain_amount(text)
+        if plain is not None:
+            return self._amount(*plain)
         if is_latex(text):
             amount = through(text, lambda plain: self.parse(plain, symbols))
             return replace(amount, unit_text=tidy(amount.unit_text))
         if len(text) > MAX_LENGTH:
             raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
-        expected = read_unit(self.unit)
-        text = TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text))
-        tree, number, rest, at = _plain_number(text) or _read_number(text)
+        tree, number, rest, at = _read_number(TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text)))
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
-        if unit is None and (isinstance(tree, Angle) or any(isinstance(n, Angle) or _arc(n) for n in walk(tree))):
+        if unit is None and any(isinstance(node, Angle) or _arc(node) for node in walk(tree)):
             return Amount(tree, number, read_unit("rad"), "", _bounded(number, number))
+        return self._amount(tree, number, unit_text, unit)
+
+    def _amount(self, tree: Tree, number: float, unit_text: str, unit: Unit | None) -> Amount:
+        expected = read_unit(self.unit)
         factor = readings(unit, expected)[0] if unit else expected.factor
         return Amount(tree, number, unit, unit_text, _bounded(number, number * factor))
 
@@ -172,28 +180,32 @@ def _unit_at(text: str, place: int) -> Unit:
         raise AnswerSyntaxError(error.reason, place + error.position, found.found, found.meant) from None
 
 
-def _plain_number(text: str) -> tuple[Tree, float, str, int] | None:
+def _plain_amount(text: str) -> tuple[Tree, float, str, Unit | None] | None:
     """Read a literal with nothing or a known unit behind it, the usual answer; None for all else."""
-    found = PLAIN.match(text)
-    if found is None or not _is_unit(_bare(text[found.end() :])):
+    named = NAMED.match(text) if len(text) <= LONGEST and ("=" in text or "≈" in text) else None
+    found = PLAIN.match(text, named.end() if named else 0)
+    unit = _unit_behind(text[found.end() :]) if found and len(text) <= LONGEST else None
+    if found is None or unit is None:
         return None
-    literal = found.group().replace("−", "-")
-    digits = literal.lstrip("-").replace(",", ".").lower().partition("e")
-    tree: Tree = Number(digits[0], int(digits[2] or "0"))
-    number = float(literal.replace(",", "."))
-    return (Unary("-", tree) if literal[0] == "-" else tree), number, text[found.end() :], found.end()
+    literal = found.group().replace("−", "-").replace(",", ".")
+    digits, _, power = literal.lstrip("-").lower().partition("e")
+    tree: Tree = Number(digits, int(power or "0"))
+    return (Unary("-", tree) if literal[0] == "-" else tree), float(literal), *unit
+
+
+@lru_cache(maxsize=2048)
+def _unit_behind(rest: str) -> tuple[str, Unit | None] | None:
+    """Read the unit behind a literal, as typed; None where it is no unit."""
+    text = _bare(rest)
+    try:
+        return text, read_unit(text) if text else None
+    except AnswerSyntaxError:
+        return None
 
 
 def _joined(grouped: re.Match[str]) -> str:
     """Close the gaps between thousands; the places of what follows stay as typed."""
     return re.sub(r"\D", "", grouped[0]).rjust(len(grouped[0]))
-
-
-def _is_unit(text: str) -> bool:
-    try:
-        return not text or bool(read_unit(text))
-    except AnswerSyntaxError:
-        return False
 
 
 def _read_number(text: str) -> tuple[Tree, float, str, int]:

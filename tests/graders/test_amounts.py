@@ -1,0 +1,44 @@
+"""Amounts as students write them: the usual spellings are read at a glance, and as the whole language reads them."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from graders import AnswerSyntaxError, Quantity, Symbols
+from graders.language.text import text_of
+
+NOTHING = Symbols(())
+STRESS = Quantity("MPa")
+NAMES = ("", "=", "= ", "sigma = ", "σ₁=", "R_A =", "  x ≈ ", "сила = ", "F' = ")
+literals = st.from_regex(r"-?[0-9]{1,6}([.,][0-9]{1,6})?([eE][-+]?[0-9])?", fullmatch=True)
+units = st.sampled_from(("", " MPa", "kPa", " [MPa]", " N/mm^2", " kN/cm²"))
+
+
+@given(st.sampled_from(NAMES), literals, units)
+def test_a_literal_is_read_as_the_same_literal_in_brackets(name: str, literal: str, unit: str) -> None:
+    glanced, read = STRESS.parse(name + literal + unit, NOTHING), STRESS.parse(f"{name}({literal}){unit}", NOTHING)
+    assert (glanced.number, glanced.unit, glanced.unit_text) == (read.number, read.unit, read.unit_text)
+    assert glanced.value == read.value and text_of(glanced.tree) == text_of(read.tree)
+
+
+@pytest.mark.parametrize("text", ["12 000 MPa", "  12 000", "12 000,0 [MPa]", "sigma = 12 000 MPa"])
+def test_thousands_may_stand_apart(text: str) -> None:
+    assert STRESS.parse(text, NOTHING).number == 12000
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [("== 12 MPa", 1), ("x y = 12", 0), ("sigma =", 7), ("12 Mpz", 3), ("R = 12 Mpz", 7), ("12 000 qq", 7)],
+)
+def test_what_is_no_amount_is_refused_at_its_place(text: str, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as caught:
+        STRESS.parse(text, NOTHING)
+    assert caught.value.position == place
+
+
+def test_a_long_run_of_a_name_is_refused_without_delay() -> None:
+    for text in ("a" * 1999 + "=", " " * 1998 + "1=", "1" * 1999, "x = " + "1 " * 900):
+        with pytest.raises(AnswerSyntaxError):
+            STRESS.parse(text, NOTHING)
