@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from math import pi, remainder
 
 from graders.language.doubles import UndefinedError
-from graders.language.tree import Name, names
+from graders.language.tree import Name
 from graders.polygon.drawn import Axis, Drawn, Equation
 from graders.polygon.jets import Trio, jet
 from graders.polygon.mechanism import Mechanism, State
 from graders.polygon.naming import CLOSE, Named, Shape, Trios, mixed, name, other_angles
-from graders.polygon.trials import diagnose, free_rows, parts_of, proportional, total, truth, values
+from graders.polygon.trials import PAIRS, Residual, diagnose, free_rows, parts_of, proportional, total, truth, values
 from graders.polygon.walks import Walk, Walked, links, rank, walk
 from graders.verdict import RIGHT, UNDECIDED, Code, Flaw, Flaws, Verdict, wrong
 
 PARTS = 5  # vectors, closure, x, y, unknowns
+SEARCHED = 2  # flaws after which two slips in one equation are looked for no more
+MEASURES = 50  # other measures of angles that are tried in one polygon
 AXES: tuple[Axis, ...] = ("x", "y")
 
 
@@ -33,6 +35,16 @@ class Judged:
     satisfied: dict[Equation, bool] = field(default_factory=dict)  # true, or true to the student's own closure
     flaws: list[Flaw] = field(default_factory=list)
     undecided: bool = False
+    residuals: dict[Equation, Residual] = field(init=False)
+    numbers: list[dict[str, float]] = field(init=False)  # the values of all names at all states
+
+    def __post_init__(self) -> None:
+        self.residuals = {equation: Residual(equation.difference) for equation in self.drawn.equations}
+        self.numbers = [{name_: trio[0] for name_, trio in row.items()} for row in self.named.rows]
+
+    def true(self, equation: Equation) -> bool | None:
+        """Tell whether an equation holds at all states."""
+        return truth(self.residuals[equation], self.numbers)
 
     @property
     def flawed(self) -> bool:
@@ -97,13 +109,9 @@ def graded(score: float, flaws: Sequence[Flaw]) -> Verdict:
     return Verdict(round(score, 6), flaws[0].code, found) if score > 1e-9 else wrong(Code.WRONG, found)
 
 
-def _numbers(rows: Sequence[Mapping[str, Trio]]) -> list[dict[str, float]]:
-    return [{name_: trio[0] for name_, trio in row.items()} for row in rows]
-
-
 def _satisfied(judged: Judged, equation: Equation) -> bool:
     """Tell whether an equation is true, or the projection of the student's own closure where that is not right."""
-    found = truth(equation.difference, _numbers(judged.named.rows))
+    found = judged.true(equation)
     judged.undecided = judged.undecided or found is None
     if found is None or (found and not _swapped(judged, equation)):
         return True
@@ -134,18 +142,25 @@ def _angles_of_another_kind(judged: Judged) -> None:
     false = [e for e, satisfied in judged.satisfied.items() if not satisfied and not _swapped(judged, e)]
     if not false:
         return
+    tries = 0
     for own, (label, what) in judged.named.owners.items():
-        if what != "angle" or not isinstance(judged.drawn.vector(label).angle, Name):
-            continue
-        concerned = [e for e in judged.drawn.equations if own in names(e.tree)]
-        if not set(false) <= set(concerned):
+        concerned = [residual for residual in judged.residuals.values() if own in residual.inputs]
+        covered = all(own in judged.residuals[e].inputs for e in false)
+        if what != "angle" or not covered or not isinstance(judged.drawn.vector(label).angle, Name):
             continue
         for code, trios in _measured_otherwise(judged, own, label):
-            rows = _numbers([row | {own: trio} for row, trio in zip(judged.named.rows, trios, strict=True)])
-            if all(truth(e.difference, rows) for e in concerned):
+            tries += 1
+            if all(truth(residual, _replaced(judged.numbers, own, trios)) for residual in concerned):
                 judged.named.flaws.append(Flaw(code, label))
                 judged.satisfied.update(dict.fromkeys(false, True))
                 return
+        if tries > MEASURES:
+            return
+
+
+def _replaced(rows: Iterable[Mapping[str, float]], own: str, trios: Trios) -> Iterator[dict[str, float]]:
+    for row, trio in zip(rows, trios, strict=True):
+        yield {**row, own: trio[0]}
 
 
 def _measured_otherwise(judged: Judged, own: str, label: str) -> list[tuple[Code, Trios]]:
@@ -165,14 +180,14 @@ def _diagnose(judged: Judged, equation: Equation) -> None:
     if judged.satisfied[equation]:
         return
     place = judged.place(equation)
-    if truth(equation.difference, _numbers(judged.named.rows)):
+    if judged.true(equation):
         judged.flaws.append(Flaw(Code.SWAPPED_PROJECTIONS, "", place))
         return
     typed = values(equation.difference, judged.free)
     own, mended = judged.closure(equation.loop)
-    for walked in (mended, own):
+    for walked in (mended,) if own == mended else (mended, own):
         parts = parts_of(judged.drawn, walked, equation.axis, 0, judged.free) if walked else None
-        found = diagnose(typed, parts, place)
+        found = diagnose(typed, parts, place, PAIRS if len(judged.flaws) < SEARCHED else 0)
         if found:
             judged.flaws += found
             return

@@ -11,8 +11,8 @@ from graders.language.symbols import DOTS, Symbols, function_named, key, latin
 from graders.language.tokens import tokenize
 from graders.polygon import keywords
 
-MAX_TEXT = 6000
-MAX_LINES = 40
+MAX_TEXT = 4000
+MAX_LINES = 30
 MAX_NAME = 12
 
 Read = TypeVar("Read")

@@ -10,14 +10,14 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import Symbols
 from graders.language.tree import Name, Relation, Tree, names
 from graders.polygon import keywords
-from graders.polygon.checking import Judged, graded, judge, slopes
+from graders.polygon.checking import SEARCHED, Judged, graded, judge, slopes
 from graders.polygon.drawn import Axis, Drawn, Equation
 from graders.polygon.jets import Trio
 from graders.polygon.lines import Line, fields_of, folded, lines_of
 from graders.polygon.mechanism import Mechanism
 from graders.polygon.naming import CLOSE, Named
-from graders.polygon.reading import axis_of, declare, equation_of, loop_of, numbered, read_polygon
-from graders.polygon.trials import diagnose, free_rows, parts_of, proportional, truth, values
+from graders.polygon.reading import MAX_EQUATIONS, axis_of, declare, equation_of, loop_of, numbered, read_polygon
+from graders.polygon.trials import PAIRS, Residual, diagnose, free_rows, parts_of, proportional, truth, values
 from graders.polygon.walks import rank
 from graders.verdict import FOLLOWED, RIGHT, UNDECIDED, Code, Flaw, Verdict
 
@@ -54,6 +54,8 @@ def read_rates(text: str, symbols: Symbols) -> Differentiated:
             said.append((left.name, right.name) if "_d" in right.name else (right.name, left.name))
         else:
             equations.append((axis_of(line.label.text), loop_of(line.label), tree))
+    if len(equations) > MAX_EQUATIONS:
+        raise lines[MAX_EQUATIONS].body.error(Reason.TOO_LONG)
     if not equations:
         raise lines[0].body.error(Reason.NOT_AN_EQUATION)
     return Differentiated(numbered(equations), tuple(said))
@@ -182,6 +184,14 @@ class _Check:
     meaning: _Meaning
     order: int
     flaws: list[Flaw] = field(default_factory=list)
+    rows: list[dict[str, Trio]] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Take free values and rates, those of the task's rates as they belong together."""
+        self.rows = free_rows(self.judged.named, self.judged.drawn.names)
+        for row in self.rows:
+            for name, (own, order) in self.meaning.ties.items():
+                row[name] = (row[own][order], row[own][order + 1] if order < 2 else 0.0, 0.0)
 
     def equation(self, equation: Equation) -> bool | str | None:
         """Judge one equation: True, "followed", None where it is undecided, or False with its flaws noted."""
@@ -193,7 +203,7 @@ class _Check:
             return False
         known = {name: found for name, found in meant.items() if found}
         rows = [{name: row[own][order] for name, (own, order) in known.items()} for row in self.judged.named.rows]
-        found = truth(equation.difference, rows)
+        found = truth(Residual(equation.difference), rows)
         if found is not False and all(order <= self.order for _, order in known.values()):
             return found
         typed = self._free(equation.difference, known)
@@ -202,34 +212,25 @@ class _Check:
         self.flaws += self._slips(equation, typed, place) or [Flaw(Code.WRONG_RATES, "", place)]
         return False
 
-    def _rows(self) -> list[dict[str, Trio]]:
-        """Give free values and rates, those of the task's rates as they belong together."""
-        rows = free_rows(self.judged.named, self.judged.drawn.names)
-        for row in rows:
-            for name, (own, order) in self.meaning.ties.items():
-                row[name] = (row[own][order], row[own][order + 1] if order < 2 else 0.0, 0.0)
-        return rows
-
     def _free(self, tree: Tree, known: Mapping[str, tuple[str, int]]) -> tuple[float, ...] | None:
-        rows = self._rows()
         return values(
-            tree, [{name: (row[own][order], 0.0, 0.0) for name, (own, order) in known.items()} for row in rows]
+            tree, [{name: (row[own][order], 0.0, 0.0) for name, (own, order) in known.items()} for row in self.rows]
         )
 
     def _follows(self, typed: tuple[float, ...] | None) -> bool:
         """Tell whether it is the rate of one of the student's own projections that is not true itself."""
         if not self.judged.flawed and not self.judged.flaws:
             return False
-        rows = self._rows()
-        return any(proportional(values(own.difference, rows, self.order), typed) for own in self.judged.drawn.equations)
+        return any(
+            proportional(values(own.difference, self.rows, self.order), typed) for own in self.judged.drawn.equations
+        )
 
     def _slips(self, equation: Equation, typed: tuple[float, ...] | None, place: str) -> list[Flaw]:
-        rows = self._rows()
         axes: Sequence[Axis] = (equation.axis,) if equation.axis else ("x", "y")
         for axis in axes:
             _, walked = self.judged.closure(equation.loop if equation.axis else 1)
-            parts = parts_of(self.judged.drawn, walked, axis, self.order, rows) if walked else None
-            found = diagnose(typed, parts, place)
+            parts = parts_of(self.judged.drawn, walked, axis, self.order, self.rows) if walked else None
+            found = diagnose(typed, parts, place, PAIRS if len(self.flaws) < SEARCHED else 0)
             if found:
                 return found
         return []

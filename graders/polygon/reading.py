@@ -13,6 +13,8 @@ from graders.polygon import keywords
 from graders.polygon.drawn import Axis, Closure, Drawn, Equation, Vector
 from graders.polygon.lines import Line, Piece, fields_of, folded, label_of, lines_of, new_names, words_of
 
+MAX_VECTORS = 12
+MAX_EQUATIONS = 8
 TURN_IN_RADIANS = 6.3  # a bare number beyond it is an angle in degrees
 
 
@@ -40,6 +42,10 @@ def read_polygon(text: str, symbols: Symbols, nodes: tuple[str, ...]) -> Drawn:
     said = _sorted(lines_of(text), nodes)
     if not said.vectors:
         raise AnswerSyntaxError(Reason.EMPTY if not text.strip() else Reason.NEEDS_VECTORS, 0, text.strip()[:20])
+    if len(said.vectors) > MAX_VECTORS:
+        raise said.vectors[MAX_VECTORS].body.error(Reason.TOO_LONG)
+    if len(said.equations) > MAX_EQUATIONS:
+        raise said.equations[MAX_EQUATIONS][1].body.error(Reason.TOO_LONG)
     drafts = [_Draft(line, nodes) for line in said.vectors]
     declared = declare([f for draft in drafts for f in draft.formulas], symbols)
     vectors = tuple(draft.vector(declared) for draft in drafts)

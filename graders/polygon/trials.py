@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from math import cos, sin
+from math import cos, inf, sin
 
 from graders.language.doubles import UndefinedError
-from graders.language.tree import Tree, names
+from graders.language.tree import Tree
 from graders.polygon.drawn import Axis, Drawn
-from graders.polygon.jets import Trio, jet, sensitive
+from graders.polygon.jets import Trio, jet, runner
 from graders.polygon.naming import Named
 from graders.polygon.walks import Walk
 from graders.verdict import Code, Flaw
@@ -18,40 +18,56 @@ from graders.verdict import Code, Flaw
 TRUE = 1e-9  # residual over the sensitivity of the equation: true below, false above the other, open between
 FALSE = 1e-6
 DRAWS = 6
-PAIRS = 4000  # two slips in one equation are looked for up to this many combinations
+PAIRS = 1200  # two slips in one equation are looked for up to this many combinations
 GOLDEN = 0.6180339887498949
 Numbers = tuple[float, ...]
 Row = Mapping[str, Trio]
 
 
-def truth(tree: Tree, rows: Iterable[Mapping[str, float]]) -> bool | None:
+class Residual:
+    """Left minus right of an equation, made once and taken at many states."""
+
+    __slots__ = ("inputs", "run")
+
+    def __init__(self, tree: Tree) -> None:
+        made = runner(tree, "sensitive")
+        self.inputs, self.run = made.inputs, made.run
+
+    def at(self, row: Mapping[str, float]) -> float | None:
+        """Give the residual over its sensitivity; None where it has no value; infinite where a name has none."""
+        if any(name not in row for name in self.inputs):
+            return inf
+        try:
+            ((value, size),) = self.run([(row[name], abs(row[name])) for name in self.inputs])
+        except (ValueError, ArithmeticError, TypeError):
+            return None
+        return abs(value) / size if size else 0.0
+
+
+def truth(residual: Residual, rows: Iterable[Mapping[str, float]]) -> bool | None:
     """Tell whether left minus right vanishes at all states; None where doubles cannot tell."""
     worst, seen = 0.0, False
-    wanted = names(tree)
     for row in rows:
-        if not wanted <= row.keys():
-            return False
-        try:
-            value, size = sensitive(tree, {name: row[name] for name in wanted})
-        except UndefinedError:
+        found = residual.at(row)
+        if found is None:
             continue
-        seen = True
-        worst = max(worst, abs(value) / size if size else 0.0)
-    if not seen or worst > FALSE:
-        return False
-    return True if worst <= TRUE else None
+        if not found <= FALSE:
+            return False
+        seen, worst = True, max(worst, found)
+    return (True if worst <= TRUE else None) if seen else False
 
 
 def free_rows(named: Named, more: Iterable[str] = ()) -> list[dict[str, Trio]]:
     """Give values and rates that are bound by nothing, so that only equal formulas agree; what rests keeps no rate."""
     every = sorted({*named.rows[0], *more})
+    moves = {name: tuple(any(trio[k] for trio in named.of(name)) for k in (1, 2)) for name in named.rows[0]}
     rows = []
     for draw in range(DRAWS):
         row = {}
         for at, name in enumerate(every):
             first, second, third = (_fraction(7 * at + 3 * k + 1, draw) for k in range(3))
-            still = [name in named.rows[0] and all(not trio[k] for trio in named.of(name)) for k in (1, 2)]
-            row[name] = (0.3 + first, 0.0 if still[0] else 0.4 + second, 0.0 if still[1] else 0.7 + third)
+            speeds, pushes = moves.get(name, (True, True))
+            row[name] = (0.3 + first, 0.4 + second if speeds else 0.0, 0.7 + third if pushes else 0.0)
         rows.append(row)
     return rows
 
@@ -185,12 +201,12 @@ def total(parts: Sequence[Part]) -> Numbers:
     return tuple(sum(numbers) for numbers in zip(*(part.base for part in parts), strict=True))
 
 
-def diagnose(typed: Numbers | None, parts: Sequence[Part] | None, place: str) -> list[Flaw]:
+def diagnose(typed: Numbers | None, parts: Sequence[Part] | None, place: str, pairs: int = PAIRS) -> list[Flaw]:
     """Name the slip, or the two, or the one made in every term, that turn the right equation into the typed one."""
     if typed is None or not parts:
         return []
     right, turned = total(parts), list[Flaw]()
-    for slips in _combinations(parts):
+    for slips in _combinations(parts, pairs):
         if turned and len(slips) > 1:
             break
         changed = list(right)
@@ -206,7 +222,7 @@ def diagnose(typed: Numbers | None, parts: Sequence[Part] | None, place: str) ->
 Slip = tuple[Part, Code, Numbers]
 
 
-def _combinations(parts: Sequence[Part]) -> Iterator[tuple[Slip, ...]]:
+def _combinations(parts: Sequence[Part], most: int) -> Iterator[tuple[Slip, ...]]:
     singles = [(part, code, numbers) for part in parts for code, numbers in part.slips]
     yield from ((slip,) for slip in singles)
     for code in dict.fromkeys(slip[1] for slip in singles):
@@ -217,7 +233,7 @@ def _combinations(parts: Sequence[Part]) -> Iterator[tuple[Slip, ...]]:
     for one, other in combinations(singles, 2):
         if one[0] is not other[0]:
             tried += 1
-            if tried > PAIRS:
+            if tried > most:
                 return
             yield (one, other)
 
