@@ -9,8 +9,7 @@ import pytest
 from exercises import variants
 from exercises.solving import Solved, solve
 from exercises.strength import simple_beam
-from exercises.strength.simple_beam.diagram import extreme_place, extremes
-from exercises.strength.simple_beam.loads import (
+from exercises.strength._beam.members import (
     Clockwise,
     Counterclockwise,
     Couple,
@@ -23,6 +22,7 @@ from exercises.strength.simple_beam.loads import (
     Support,
     Uniform,
 )
+from exercises.strength.simple_beam.diagram import extreme_place, extremes
 from exercises.strength.stepped_shaft.lines import inner_torques
 from exercises.strength.stepped_shaft.parts import Against, Along
 from mechanics import members

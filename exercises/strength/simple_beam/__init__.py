@@ -9,12 +9,14 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, each, given
-from exercises.strength.simple_beam import lines
-from exercises.strength.simple_beam import loads as kinds
+from exercises.strength._beam import members as kinds
+from exercises.strength._beam.lines import added, half_beam, other_reaction, reaction, slipped, supported, whole_length
+from exercises.strength._beam.members import Load, Support, places, structure
 from exercises.strength.simple_beam.diagram import extreme_place, extremes
-from exercises.strength.simple_beam.loads import Load, Support, places, structure
+from exercises.strength.simple_beam.lines import elastic_line
 from graders import Expression, Quantity
-from mechanics import beam, frame
+from mechanics import beam, frame, members
+from mechanics.section import Rectangle
 
 SECTIONS = [(b, h) for b in range(40, 161, 10) for h in range(b + 20, 3 * b, 10) if h != 2 * b]  # mm
 
@@ -28,6 +30,11 @@ class Givens:
     h: float = given(0.06, 0.5)  # height of the section, m
     E: float = given(7e10, 2.1e11)  # Young's modulus, Pa
     x_K: float = given(0.2, 7)  # place of the point K, m
+
+
+def built(givens: Givens) -> members.Beam:
+    """Give the same beam to the solvers."""
+    return structure(givens, givens.E, Rectangle(givens.b, givens.h))
 
 
 def draw(rng: Draw) -> Givens:
@@ -47,7 +54,7 @@ def draw(rng: Draw) -> Givens:
         E=1e9 * rng.pick((70, 200, 205, 210)),
         x_K=at[4],
     )
-    M = beam.solve(structure(givens)).M_abs_max
+    M = beam.solve(built(givens)).M_abs_max
     fitting = [(b, h) for b, h in SECTIONS if 0.05 < 6 * M / (b * h * h) < 0.15]  # 50 to 150 MPa
     if not fitting:
         rng.reject()
@@ -71,11 +78,11 @@ def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
 
 def degenerate(givens: Givens) -> bool:
     """Tell whether an overhang is idle, q, a reaction, V or the deflection small, or the extreme of M not one place."""
-    solved, (A, B) = beam.solve(structure(givens)), places(givens)
+    solved, (A, B) = beam.solve(built(givens)), places(givens)
     ends = [x for load in givens.loads for x in (load.a, getattr(load, "c", load.a))]
     reactions = [reaction.Fy for reaction in solved.reactions]
     between = sorted({A, B, *(x for x in ends if A < x < B)})
-    found = extremes((A, B), reactions, structure(givens).loads)
+    found = extremes((A, B), reactions, built(givens).loads)
     near = {x for x, M in found if abs(M) > 0.95 * solved.M_abs_max}
     return (
         0 < A < min(ends)
@@ -91,7 +98,7 @@ def degenerate(givens: Givens) -> bool:
 
 def oracle(givens: Givens) -> Values:
     """The same names by the stiffness method: displacements of nodes first, then forces, not steps R_A to v_K."""
-    solved = frame.solve_beam(structure(givens))
+    solved = frame.solve_beam(built(givens))
     x_M, M_max = solved.extreme_moment()
     return {
         "R_A": solved.reactions[0].Fy,
@@ -106,18 +113,18 @@ def oracle(givens: Givens) -> Values:
 def steps(givens: Givens) -> Steps:
     """Moments about B, the sum of forces, the place where V changes sign and M there, stress, elastic line."""
     return {
-        "R_A": lines.reaction(givens),
-        "R_B": f"{lines.added(each(givens.loads, lambda load: load.total))} - R_A",
+        "R_A": reaction(givens),
+        "R_B": f"{added(each(givens.loads, lambda load: load.total))} - R_A",
         "x_M": lambda R_A, R_B: extreme_place(givens, R_A, R_B),
-        "M_max": lines.added(each(givens, lambda member: member.moment, "x_M")),
+        "M_max": added(each(givens, lambda member: member.moment, "x_M")),
         "W": "b*h^2/6",
         "sigma_max": "abs(M_max)/W",
         "I": "b*h^3/12",
-        **lines.elastic_line(givens),
+        **elastic_line(givens),
     }
 
 
-EXERCISE = Exercise(
+EXERCISE: Exercise[Givens] = Exercise(
     systems=("SM-11", "SM-12", "SM-14"),
     givens=Givens,
     draw=draw,
@@ -133,16 +140,16 @@ EXERCISE = Exercise(
         "v_K": Quantity("mm", rtol=0.01, atol=5e-6),
     },
     mistakes={
-        "lever_half_beam": Mistake(lines.half_beam),
-        "couple_sense": Mistake(lambda givens: lines.slipped(givens, kinds.OPPOSITE)),
-        "reactions_exchanged": Mistake(lines.other_reaction),
-        "equal_reactions": Mistake(lambda givens: {"R_A": f"({lines.added(each(givens.loads, lambda p: p.total))})/2"}),
-        "whole_length": Mistake(lines.whole_length),
-        "middle": Mistake(lambda givens: {"x_M": "({} + {})/2".format(*lines.supported(givens))}),
+        "lever_half_beam": Mistake(half_beam),
+        "couple_sense": Mistake(lambda givens: slipped(givens, kinds.OPPOSITE)),
+        "reactions_exchanged": Mistake(other_reaction),
+        "equal_reactions": Mistake(lambda givens: {"R_A": f"({added(each(givens.loads, lambda p: p.total))})/2"}),
+        "whole_length": Mistake(whole_length),
+        "middle": Mistake(lambda givens: {"x_M": "({} + {})/2".format(*supported(givens))}),
         "section_exchanged": Mistake(W="h*b^2/6", I="h*b^3/12"),
         "half_height_lost": Mistake(W="b*h^2/12"),
         "clamped": Mistake(C="0"),
-        "positive_down": Mistake(lambda givens: {"v_K": f"-({lines.elastic_line(givens)['v_K']})"}),
+        "positive_down": Mistake(lambda givens: {"v_K": f"-({elastic_line(givens)['v_K']})"}),
     },
     minutes=40,
 )

@@ -8,20 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias
+from typing import ClassVar, Protocol, TypeAlias
 
 from exercises.exercise import given
 from mechanics import members
-from mechanics.section import Rectangle
-
-if TYPE_CHECKING:
-    from exercises.strength.simple_beam import Givens
+from mechanics.section import Section
 
 
 @dataclass(frozen=True, slots=True)
 class LeftEnd:
     """Support A under the left end."""
 
+    name: ClassVar[str] = "A"
+    holds: ClassVar[members.SupportType] = "pin"
     place = "0"
     moment = "R_A*{x}"
     sag = "R_A*{x}^3/6"
@@ -37,6 +36,8 @@ class InsetA:
 
     s: float = given(0.5, 2.5)  # its place, m
 
+    name: ClassVar[str] = "A"
+    holds: ClassVar[members.SupportType] = "pin"
     place = "s{i}"
     moment = "R_A*macaulay({x} - s{i}; 1)"
     sag = "R_A*macaulay({x} - s{i}; 3)/6"
@@ -50,6 +51,8 @@ class InsetA:
 class RightEnd:
     """Support B under the right end: nothing is cut off behind it."""
 
+    name: ClassVar[str] = "B"
+    holds: ClassVar[members.SupportType] = "roller"
     place = "L"
     moment = ""
     sag = ""
@@ -65,6 +68,8 @@ class InsetB:
 
     s: float = given(2, 7)  # its place, m
 
+    name: ClassVar[str] = "B"
+    holds: ClassVar[members.SupportType] = "roller"
     place = "s{i}"
     moment = "R_B*macaulay({x} - s{i}; 1)"
     sag = "R_B*macaulay({x} - s{i}; 3)/6"
@@ -72,6 +77,36 @@ class InsetB:
     def at(self, length: float) -> float:
         """Give the place on a beam of this length, m."""
         return self.s
+
+
+@dataclass(frozen=True, slots=True)
+class ClampedLeft:
+    """A wall A at the left end; M_A is the bending moment beside it."""
+
+    name: ClassVar[str] = "A"
+    holds: ClassVar[members.SupportType] = "fixed"
+    place = "0"
+    moment = "R_A*{x} + M_A"
+    sag = "R_A*{x}^3/6 + M_A*{x}^2/2"
+
+    def at(self, length: float) -> float:
+        """Give the place on a beam of this length, m."""
+        return 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ClampedRight:
+    """A wall B at the right end: nothing is cut off behind it."""
+
+    name: ClassVar[str] = "B"
+    holds: ClassVar[members.SupportType] = "fixed"
+    place = "L"
+    moment = ""
+    sag = ""
+
+    def at(self, length: float) -> float:
+        """Give the place on a beam of this length, m."""
+        return length
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,24 +195,38 @@ class Counterclockwise:
         return members.Moment(self.a, self.M)
 
 
-Support: TypeAlias = LeftEnd | InsetA | RightEnd | InsetB
+Support: TypeAlias = LeftEnd | InsetA | RightEnd | InsetB | ClampedLeft | ClampedRight
 Load: TypeAlias = Force | Lift | Uniform | Clockwise | Counterclockwise
 Couple: TypeAlias = Clockwise | Counterclockwise
 OPPOSITE: Mapping[type[Load], str] = {Clockwise: Counterclockwise.turn, Counterclockwise: Clockwise.turn}
 
 
-def places(givens: Givens) -> list[float]:
-    """Give the places of A and B in metres."""
+class Loaded(Protocol):
+    """The givens of a beam: what holds it and what it carries."""
+
+    @property
+    def supports(self) -> tuple[Support, ...]: ...
+    @property
+    def loads(self) -> tuple[Load, ...]: ...
+    @property
+    def L(self) -> float: ...
+
+
+def places(givens: Loaded) -> list[float]:
+    """Give the places of the supports in metres."""
     return [support.at(givens.L) for support in givens.supports]
 
 
-def structure(givens: Givens) -> members.Beam:
-    """Give the same beam to the solvers."""
-    A, B = places(givens)
+def structure(
+    givens: Loaded, E: float = 2e11, section: Section | None = None, second_moment: float | None = None
+) -> members.Beam:
+    """Give the same beam to the solvers; without a section its forces do not depend on the stiffness."""
+    held = zip(givens.supports, places(givens), strict=True)
     return members.Beam(
         L=givens.L,
-        E=givens.E,
-        supports=(members.Support(A, "pin"), members.Support(B, "roller")),
+        E=E,
+        supports=tuple(members.Support(x, support.holds) for support, x in held),
         loads=tuple(load.load() for load in givens.loads),
-        section=Rectangle(givens.b, givens.h),
+        section=section,
+        I=second_moment if section or second_moment else 1e-5,
     )
