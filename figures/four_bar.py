@@ -54,7 +54,7 @@ def draw(
     pieces += _angles(names)
     pieces += _speed(names.speed, sense) if names.speed else ()
     pieces += [mark for at in (_A, _B, _C, _D) for mark in revolute(at)]
-    for name, at in zip(names.points, (_A - 20 + 10j, _B - 14 + 12j, _C + 16j, _D - 22 - 24j), strict=True):
+    for name, at in zip(names.points, (_A - 20 + 10j, _B - 14 + 12j, _C + 16j, _D + 18 + 8j), strict=True):
         pieces += written(point(name), at, "middle") if name else ()
     middles = (left_of(_A, _B, 13, 0.62), left_of(_B, _C, 13), left_of(_D, _C, -14))
     for name, at in zip(names.links, middles, strict=True):
@@ -74,7 +74,7 @@ def _angles(names: Names) -> list[Piece]:
         if not name:
             continue
         pieces += [thin(at, at + radius + 22)] if at is _B else []
-        middle = at + (radius + 9) * unit(angle / 2) - 6j
+        middle = at + (radius + 10) * unit(angle / 2) - (6j if angle < 1.5 else 2j)
         pieces += [*arc(at, radius, 0, angle), *written(symbol(name), middle)]
     return pieces
 
