@@ -39,39 +39,50 @@ def _fields_of(kind: Any) -> tuple[Field[Any], ...]:
     return fields(kind)
 
 
-def _members(givens: Any) -> Iterator[tuple[str, Any, str]]:
-    """Visit all scalar givens: the field, its owner, and the name a student types (a member's index behind it)."""
-    for entry in _fields(givens):
-        value = getattr(givens, entry.name)
-        if isinstance(value, tuple):
-            for index, member in enumerate(value, 1):
-                for inner in _fields(member):
-                    yield inner.name, member, f"{inner.name}{index}"
-        else:
-            yield entry.name, givens, entry.name.rstrip("_")
+Place: TypeAlias = tuple[int, int, str, str, Domain | None]  # field, member (or -1), its field, name typed, domain
+Shape: TypeAlias = tuple[tuple[type, ...] | None, ...]  # of the fields: the classes of a drawn list
+
+
+def _scalars(givens: Any) -> Iterator[tuple[str, Any, Domain | None]]:
+    """Visit all scalar givens: the name a student types (a member's index behind it), value and domain."""
+    values = [getattr(givens, entry.name) for entry in _fields(givens)]
+    shape = tuple([tuple(map(type, value)) if isinstance(value, tuple) else None for value in values])
+    kind: Any = type(givens)
+    for at, index, inner, typed, domain in _places(kind, shape):
+        yield typed, values[at] if index < 0 else getattr(values[at][index], inner), domain
+
+
+@lru_cache(maxsize=2048)
+def _places(kind: Any, shape: Shape) -> tuple[Place, ...]:
+    """Find the scalars of all givens of a shape."""
+    found: list[Place] = []
+    for at, (entry, members) in enumerate(zip(_fields_of(kind), shape, strict=True)):
+        if members is None:
+            found.append((at, -1, "", entry.name.rstrip("_"), entry.metadata.get("domain")))
+        for index, member in enumerate(members or ()):
+            inner = _fields_of(member)
+            found += [(at, index, one.name, f"{one.name}{index + 1}", one.metadata.get("domain")) for one in inner]
+    return tuple(found)
 
 
 def numbers(givens: Any) -> dict[str, float]:
     """Give the numeric givens by the names students type, in the order of the fields."""
-    found = {typed: getattr(owner, name) for name, owner, typed in _members(givens)}
-    return {name: value for name, value in found.items() if not isinstance(value, str)}
+    return {typed: value for typed, value, _ in _scalars(givens) if not isinstance(value, str)}
 
 
 def words_of(givens: Any) -> dict[str, str]:
     """Give the givens that are words by their names."""
-    found = {typed: getattr(owner, name) for name, owner, typed in _members(givens)}
-    return {name: value for name, value in found.items() if isinstance(value, str)}
+    return {typed: value for typed, value, _ in _scalars(givens) if isinstance(value, str)}
 
 
 def domains(givens: Any) -> dict[str, Domain]:
     """Give the domains of the numeric givens by the names students type."""
     found = {}
-    for name, owner, typed in _members(givens):
-        metadata = next(entry.metadata for entry in _fields(owner) if entry.name == name)
-        if "domain" in metadata:
-            found[typed] = metadata["domain"]
-        elif not isinstance(getattr(owner, name), str):
-            raise TypeError(f"given {name!r} of {type(owner).__name__} declares no domain: use given(low, high)")
+    for typed, value, domain in _scalars(givens):
+        if domain is not None:
+            found[typed] = domain
+        elif not isinstance(value, str):
+            raise TypeError(f"given {typed!r} of {type(givens).__name__} declares no domain: use given(low, high)")
     return found
 
 

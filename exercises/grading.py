@@ -8,8 +8,8 @@ from typing import Any
 
 from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
-from exercises.solving import NO_SECRET, Solved, solve
-from exercises.variants import predictions
+from exercises.solving import NO_SECRET, Solved
+from exercises.variants import slips
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.language import Tree
 from graders.language.doubles import UndefinedError
@@ -123,7 +123,7 @@ def _follows(solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value |
         return False
     own = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
     try:
-        values = solve(solved.exercise, solved.variant.givens, fixed=own)
+        values = solved.again(fixed=own)
     except UndefinedError:
         return False
     return _plausible(values[step], solved.values[step]) and grader.check(answer, values[step]).code is Code.RIGHT
@@ -157,7 +157,7 @@ def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Ver
     }
     if not any(verdicts[name].outcome is Outcome.WRONG or verdicts[name] is FOLLOWED for name in given):
         return None
-    for mistake, expected in predictions(solved).items():
+    for mistake, expected in slips(solved):
         if all(
             _predicted(solved, name, answer, _against(solved, read, name, expected[name]))
             for name, answer in given.items()

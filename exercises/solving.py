@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import islice
+from itertools import chain, islice
 from typing import Any
 
 from exercises import catalogue
@@ -22,6 +22,7 @@ from graders.language.tree import names as names_in
 
 POINTS = 16
 TRIES = 400
+SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
 
 
@@ -35,7 +36,8 @@ def evaluate(line: Line | Tree, values: Mapping[str, Value]) -> Value:
     if callable(line):
         return _checked(line(**{name: values[name] for name in _parameters(line)}))
     runner = _runner(line) if isinstance(line, str) else line_runner(line)
-    (value,) = run(runner, [_inward(values[name]) for name in runner.inputs])
+    inputs = [values[name] for name in runner.inputs]
+    (value,) = run(runner, [Table(value) if isinstance(value, tuple) else value for value in inputs])
     return _checked(value.rows if isinstance(value, Table) else value)
 
 
@@ -49,15 +51,10 @@ def _parameters(function: Callable[..., Value]) -> tuple[str, ...]:
     return tuple(inspect.signature(function).parameters)
 
 
-def _inward(value: Value) -> Any:
-    return Table(value) if isinstance(value, tuple) else value
-
-
 def _checked(value: Value) -> Value:
     if isinstance(value, str):
         return value
-    entries = (e for row in value for e in row) if isinstance(value, tuple) else (value,)
-    if not all(math.isfinite(entry) for entry in entries):
+    if not all(map(math.isfinite, chain.from_iterable(value) if isinstance(value, tuple) else (value,))):
         raise UndefinedError("not a finite value")
     return value
 
@@ -82,10 +79,18 @@ def solve(
     Raises:
         UndefinedError: A step has no finite value.
     """
-    replaced, fixed = replaced or {}, fixed or {}
-    start: dict[str, Value] = {**numbers(givens), **words_of(givens)}
-    values = {**start, **{name: evaluate(replaced[name], start) for name in start if name in replaced}}
-    for name, line in exercise.steps_of(givens).items():
+    return _solve(exercise.steps_of(givens), _start(givens), replaced or {}, fixed or {})
+
+
+def _start(givens: Any) -> dict[str, Value]:
+    return {**numbers(givens), **words_of(givens)}
+
+
+def _solve(
+    steps: Steps, start: Mapping[str, Value], replaced: Steps, fixed: Mapping[str, Value | Tree]
+) -> dict[str, Value]:
+    values = {**start, **{name: evaluate(line, start) for name, line in replaced.items() if name in start}}
+    for name, line in steps.items():
         own = fixed.get(name)
         if isinstance(own, float | tuple | str):
             values[name] = own
@@ -104,15 +109,20 @@ class Solved:
     values: dict[str, Value] = field(init=False)
     answers: Mapping[str, Grader] = field(init=False)
     steps: Steps = field(init=False)
+    _start: dict[str, Value] = field(init=False)
     _formulas: Formulas = field(init=False)
-    _states: dict[str, States] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         givens = self.variant.givens
         self.steps = self.exercise.steps_of(givens)
         self.answers = self.exercise.answers_of(givens)
-        self.values = solve(self.exercise, givens)
+        self._start = _start(givens)
+        self.values = self.again()
         self._formulas = self._topology()
+
+    def again(self, replaced: Steps | None = None, fixed: Mapping[str, Value | Tree] | None = None) -> dict[str, Value]:
+        """Solve the variant with some lines replaced or some steps fixed; as `solve`."""
+        return _solve(self.steps, self._start, replaced or {}, fixed or {})
 
     def step_of(self, answer: str) -> str:
         """Give the step an answer asks for."""
@@ -140,28 +150,16 @@ class Solved:
 
     def states(self, step: str) -> States:
         """Give points of the givens' domain at which the variant's topology can be assembled."""
-        if step not in self._states:
-            self._states[step] = self._drawn(step)
-        return self._states[step]
+        ranges = tuple(domains(self.variant.givens).items())
+        return _states(self._formulas, ranges, step, (self.secret, self.variant.exercise, self.variant.seed % SETS))
 
     def _topology(self) -> Formulas:
         """Find the formulas of this topology: their form does not depend on the numbers of the variant."""
         lines = tuple((name, line if isinstance(line, str) else None) for name, line in self.steps.items())
         matrices = frozenset(name for name in self.steps if isinstance(self.values[name], tuple))
-        return _formulas(tuple(numbers(self.variant.givens)), lines, matrices)
-
-    def _drawn(self, step: str) -> States:
-        ranges, formulas = domains(self.variant.givens), self._formulas
-        rng = Draw(self.secret.hex(), self.variant.exercise, self.variant.seed, step)
-        points: list[tuple[float, ...]] = []
-        names, defined = tuple(ranges), formulas.defined(step)
-        for point in islice(_spread(rng, tuple(ranges.values())), TRIES):
-            if defined(point):
-                points.append(point)
-            if len(points) == POINTS:
-                ends = _ends(points, tuple(ranges.values()))
-                return States(names, (*points, *filter(defined, ends)), formulas.before(step))
-        raise UndefinedError(f"{self.variant.exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
+        return _formulas(
+            tuple(name for name, value in self._start.items() if not isinstance(value, str)), lines, matrices
+        )
 
 
 @lru_cache(maxsize=1024)
@@ -227,6 +225,22 @@ class Formulas:
 @lru_cache(maxsize=1024)
 def _formulas(givens: tuple[str, ...], lines: tuple[tuple[str, str | None], ...], matrices: frozenset[str]) -> Formulas:
     return Formulas(givens, lines, matrices)
+
+
+@lru_cache(maxsize=512)
+def _states(
+    formulas: Formulas, domains: tuple[tuple[str, Domain], ...], step: str, chance: tuple[bytes, str, int]
+) -> States:
+    """Draw the states of a topology; variants whose seeds agree modulo `SETS` share them."""
+    secret, exercise, number = chance
+    names, ranges = zip(*domains, strict=True) if domains else ((), ())
+    defined, points = formulas.defined(step), list[tuple[float, ...]]()
+    for point in islice(_spread(Draw(secret.hex(), exercise, number, step), ranges), TRIES):
+        if defined(point):
+            points.append(point)
+        if len(points) == POINTS:
+            return States(names, (*points, *filter(defined, _ends(points, ranges))), formulas.before(step))
+    raise UndefinedError(f"{exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
 
 
 def _ends(points: list[tuple[float, ...]], ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:

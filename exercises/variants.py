@@ -12,7 +12,7 @@ from exercises.exercise import AnyExercise, Steps, Variant
 from exercises.givens import Json
 from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
-from exercises.solving import Solved, solve
+from exercises.solving import Solved
 from graders import Value
 from graders.language.doubles import UndefinedError
 
@@ -68,32 +68,32 @@ def deal(exercise_id: str, seed: int) -> Variant:
 
 def predictions(solved: Solved) -> dict[str, Predictions]:
     """Give the answers each mistake leads to; a mistake without occasion or without a value is left out."""
-    found = {}
+    return dict(slips(solved))
+
+
+def slips(solved: Solved) -> Iterator[tuple[str, Predictions]]:
+    """Solve one mistake after the other, so that who has found his need not solve the rest."""
     for name, mistake in solved.exercise.mistakes.items():
         lines = mistake.lines(solved.variant.givens)
         if not lines:
             continue
         try:
-            values = solve(solved.exercise, solved.variant.givens, replaced=lines)
+            yield name, Predictions(solved, solved.again(replaced=lines), lines)
         except UndefinedError:
             continue
-        found[name] = Predictions(solved, values, lines)
-    return found
 
 
 def told_apart(solved: Solved) -> bool:
     """Tell whether every mistake differs from the reference and from the others in at least one answer."""
     right = Predictions(solved, solved.values, {})
-    slips = list(predictions(solved).values())
-    return all(differ(solved, one, other) for one, other in combinations([right, *slips], 2))
+    return all(differ(solved, one, other) for one, other in combinations([right, *predictions(solved).values()], 2))
 
 
 def differ(solved: Solved, one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:
     """Tell whether two sets of answers are at least three tolerances apart somewhere; numbers are compared first."""
-    numeric = [name for name, grader in solved.answers.items() if not grader.symbolic]
-    symbolic = [name for name in solved.answers if name not in numeric]
-    for name in (*numeric, *symbolic):
-        if one[name] is not other[name] and solved.answers[name].apart(one[name], other[name]) >= APART:
+    for name in sorted(solved.answers, key=lambda answer: solved.answers[answer].symbolic):
+        expected, other_one = one[name], other[name]
+        if expected is not other_one and solved.answers[name].apart(expected, other_one) >= APART:
             return True
     return False
 
