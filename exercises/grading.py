@@ -149,13 +149,14 @@ def _plausible(value: Value, right: Value) -> bool:
 
 
 def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> str | None:
-    """Name the known slip that predicts every answer given, if some answer is wrong."""
+    """Name the known slip that predicts every answer given, if some answer is not right."""
     given = {
         name: answer
         for name, answer in read.items()
         if not isinstance(answer, Verdict) and verdicts[name].code is not Code.KEPT
     }
-    if not any(verdicts[name].outcome is Outcome.WRONG or verdicts[name] is FOLLOWED for name in given):
+    off = (Outcome.WRONG, Outcome.PARTLY)
+    if not any(verdicts[name].outcome in off or verdicts[name] is FOLLOWED for name in given):
         return None
     for mistake, expected in slips(solved):
         if all(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -140,13 +141,24 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
     lines = []
     for name, line in solved.steps.items():
         tree = parse_line(line) if isinstance(line, str) else None
-        value = _shown(solved.values[name], units.get(name, _unit_of(name, words)), lang)
+        value = _written(solved, name, lang) or _shown(
+            solved.values[name], units.get(name, _unit_of(name, words)), lang
+        )
         chosen = words.get("choices", {}).get(name, {})
         value = "; ".join(plain(chosen.get(part, part)) for part in value.split("; "))
         formula = mathml_of(tree, lang != "en") if tree else ""
         heading = inline(indexed(words["steps"], name))
         lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))
     return tuple(lines)
+
+
+def _written(solved: Solved, name: str, lang: str) -> str:
+    """Write a diagram as its pieces; empty for any other step."""
+    judge = next((g for answer, g in solved.answers.items() if solved.step_of(answer) == name), None)
+    if judge is None or judge.kind != "diagram":
+        return ""
+    typed = judge.show(solved.values[name]).replace("..", "…").replace("-", "−").replace("\n", ";  ")
+    return re.sub(r"\d+\.\d+", lambda number: decimal(float(number[0]), lang), typed)
 
 
 def _equation(name: str, formula: str) -> str:

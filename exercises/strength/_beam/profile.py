@@ -11,6 +11,8 @@ from mechanics import members
 Jump: TypeAlias = tuple[float, float, float, float]  # place (m), jump of V (N), of M (N m), of dV/dx (N/m)
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
 
+SLIVER = 1e-9  # of the length: two places that differ by a rounding are one
+
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
@@ -46,7 +48,7 @@ def stretches(length: float, held: Iterable[Jump], loads: Iterable[members.Load]
     found: list[Stretch] = []
     x = V = M = w = 0.0
     for place, force, couple, load in [*sorted([*held, *jumps(loads)]), (length, 0.0, 0.0, 0.0)]:
-        if place > x:
+        if place - x > SLIVER * length:
             found.append(Stretch(x, place, V, M, w))
         M += (V + w * (place - x) / 2) * (place - x)
         V += w * (place - x)
