@@ -269,6 +269,8 @@ def _closure(body: Piece, vectors: tuple[Vector, ...]) -> Closure:
     walked: dict[str, float] = {}
     for side, sign in zip(tree.sides, (1.0, -1.0), strict=True):
         for name, factor in _linear(side, body).items():
+            if name not in alias:  # pi
+                raise body.error(Reason.NOT_A_CLOSURE)
             label, sense = alias[name]
             walked[label] = walked.get(label, 0.0) + sign * sense * factor
     return Closure(tree, tuple((label, factor) for label, factor in walked.items() if factor))

@@ -99,6 +99,7 @@ def test_an_empty_list_of_unknowns_is_a_list() -> None:
         ("l1: AB, l1, 0\nclosure: l1 + l9 = 0", Reason.UNKNOWN_NAME, 28),
         ("l1: AB, l1, 0\nclosure: l1*l1 = 0", Reason.NOT_A_CLOSURE, 23),
         ("l1: AB, l1, 0\nclosure: l1 = 1", Reason.NOT_A_CLOSURE, 23),
+        ("l1: AB, l1, 0\nclosure: l1 = pi", Reason.NOT_A_CLOSURE, 23),
         ("l1: AB, l1, 0\nclosure: l1", Reason.NOT_AN_EQUATION, 23),
         ("l1: AB, l1, 0\nx: l1*cos(0)", Reason.NOT_AN_EQUATION, 17),
         ("l1: AB, l1, 0\nx: l1 < 0", Reason.NOT_AN_EQUATION, 17),
