@@ -15,6 +15,7 @@ from graders.verdict import Code, Outcome, Verdict
 if TYPE_CHECKING:
     from graders.kinds.choice import Choice
     from graders.kinds.choices import Choices
+    from graders.kinds.dh_table import DHTable
     from graders.kinds.diagram import Diagram
     from graders.kinds.expression import Expression
     from graders.kinds.function import Function
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 JUDGES = {  # one row an answer kind: the class and its module, which has the name of the kind
     "Choice": "choice",
     "Choices": "choices",
+    "DHTable": "dh_table",
     "Diagram": "diagram",
     "Expression": "expression",
     "Function": "function",
@@ -55,6 +57,7 @@ __all__ = [
     "Choice",
     "Choices",
     "Code",
+    "DHTable",
     "Diagram",
     "Echo",
     "Expression",

@@ -77,6 +77,23 @@ class Code(StrEnum):
     CHAIN_RULE = "chain_rule"
     UNKNOWN_RATE = "unknown_rate"
     WRONG_RATES = "wrong_rates"
+    # tables of Denavit and Hartenberg
+    TABLE_DEGREES = "table_degrees"
+    TABLE_ROUNDED = "table_rounded"
+    TABLE_CONVENTION = "table_convention"
+    TABLE_SWAPPED = "table_swapped"
+    TABLE_COLUMNS = "table_columns"
+    TABLE_ROWS = "table_rows"
+    TABLE_VARIABLE = "table_variable"
+    TABLE_PLACE = "table_place"
+    TABLE_VARIABLE_SIGN = "table_variable_sign"
+    TABLE_OFFSET = "table_offset"
+    TABLE_ALPHA_SIGN = "table_alpha_sign"
+    TABLE_ALPHA = "table_alpha"
+    TABLE_LENGTH_SIGN = "table_length_sign"
+    TABLE_LENGTH = "table_length"
+    TABLE_TOOL = "table_tool"
+    TABLE_ROW = "table_row"
     EMPTY = "empty"
     UNREADABLE = "unreadable"
     UNDECIDED = "undecided"
@@ -137,6 +154,22 @@ OUTCOMES = {
     Code.CHAIN_RULE: Outcome.PARTLY,
     Code.UNKNOWN_RATE: Outcome.PARTLY,
     Code.WRONG_RATES: Outcome.PARTLY,
+    Code.TABLE_DEGREES: Outcome.PARTLY,
+    Code.TABLE_ROUNDED: Outcome.PARTLY,
+    Code.TABLE_CONVENTION: Outcome.PARTLY,
+    Code.TABLE_SWAPPED: Outcome.PARTLY,
+    Code.TABLE_COLUMNS: Outcome.PARTLY,
+    Code.TABLE_ROWS: Outcome.PARTLY,
+    Code.TABLE_VARIABLE: Outcome.PARTLY,
+    Code.TABLE_PLACE: Outcome.PARTLY,
+    Code.TABLE_VARIABLE_SIGN: Outcome.PARTLY,
+    Code.TABLE_OFFSET: Outcome.PARTLY,
+    Code.TABLE_ALPHA_SIGN: Outcome.PARTLY,
+    Code.TABLE_ALPHA: Outcome.PARTLY,
+    Code.TABLE_LENGTH_SIGN: Outcome.PARTLY,
+    Code.TABLE_LENGTH: Outcome.PARTLY,
+    Code.TABLE_TOOL: Outcome.PARTLY,
+    Code.TABLE_ROW: Outcome.PARTLY,
     Code.EMPTY: Outcome.UNREADABLE,
     Code.UNREADABLE: Outcome.UNREADABLE,
     Code.UNDECIDED: Outcome.UNDECIDED,

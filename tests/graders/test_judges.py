@@ -17,6 +17,7 @@ from graders import (
     Choice,
     Choices,
     Code,
+    DHTable,
     Expression,
     Formula,
     Grader,
@@ -36,6 +37,7 @@ from graders import (
 from graders.language import Reason, parse, parse_line
 from graders.verdict import OUTCOMES, Entries, Witness
 from graders.words import LANGUAGES, locale, message, tolerance
+from tests.graders.chain.truth import motion
 from tests.graders.polygon.mechanisms import SLIDER
 
 NOTHING = Symbols(())
@@ -58,6 +60,7 @@ RIGHT: list[tuple[Grader, Any, Symbols]] = [
     (Rational(rtol=0.01), 4.0, NOTHING),
     (Rational(either=True), 0.25, NOTHING),
     (Set(("deg", "m")), ((0.3, 1.5), (-0.3, 2.5)), NOTHING),
+    (DHTable("RRP"), motion("RRP"), Symbols(motion("RRP").names)),
     (Text(), "", NOTHING),
     (Matrix(2, 2), ((0.5, -0.25), (0.0, 1.0)), NOTHING),
     (Expression("omega2"), OMEGA2, SYMBOLS),
