@@ -153,12 +153,16 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
 
 
 def _written(solved: Solved, name: str, lang: str) -> str:
-    """Write a diagram as its pieces; empty for any other step."""
+    """Write a diagram as its pieces, a cycle by every third of its rows; empty for any other step."""
     judge = next((g for answer, g in solved.answers.items() if solved.step_of(answer) == name), None)
-    if judge is None or judge.kind != "diagram":
+    value = solved.values[name]
+    if judge is None or judge.kind not in ("diagram", "samples") or not isinstance(value, tuple):
         return ""
-    typed = judge.show(solved.values[name]).replace("..", "…").replace("-", "−").replace("\n", ";  ")
-    return re.sub(r"\d+\.\d+", lambda number: decimal(float(number[0]), lang), typed)
+    if judge.kind == "samples":
+        shown = judge.show(value[:: max(1, len(value) // 12)]).replace("; ", " · ").replace("\n", " | ")
+    else:
+        shown = judge.show(value).replace("..", "…").replace("\n", ";  ")
+    return re.sub(r"\d+\.\d+", lambda number: decimal(float(number[0]), lang), shown.replace("-", "−"))
 
 
 def _equation(name: str, formula: str) -> str:

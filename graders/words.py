@@ -88,8 +88,9 @@ def tolerance(description: Mapping[str, Any], lang: str) -> str:
     """Word the tolerance of a field from its rule: `±0,5 %`; empty where answers are judged exactly."""
     if "components" in description:
         return _tolerances(description["components"], lang)
-    if "largest" in description:
-        return str(locale(lang)["tolerance"]["largest"]).format(percent=decimal(100 * description["largest"], lang))
+    for scale in ("largest", "amplitude"):
+        if scale in description:
+            return str(locale(lang)["tolerance"][scale]).format(percent=decimal(100 * description[scale], lang))
     rtol, atol, unit = description.get("rtol"), description.get("atol"), description.get("unit", "")
     words = locale(lang)["tolerance"]
     if not rtol and not atol:

@@ -26,8 +26,8 @@ class Cycle:
 
     @property
     def scales(self) -> tuple[float, ...]:
-        """Give the largest magnitude of each ordinate."""
-        return tuple(max(map(abs, column)) for column in self.ordinates)
+        """Give the amplitude of each ordinate: half of its range, or its size where it is constant."""
+        return tuple((max(column) - min(column)) / 2 or max(map(abs, column)) for column in self.ordinates)
 
     def knot(self, phase: float) -> Knot:
         """Give the first of the six rows around a phase, and their weights."""

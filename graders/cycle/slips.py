@@ -171,7 +171,11 @@ def _column(seen: Beside, table: Table, number: int, wrong: Sequence[int]) -> Sl
     y, r = seen.typed[number], seen.true(number)
     tolerance = LOOSE * seen.rule.rtol * seen.cycle.scales[number]
     factor = sum(a * b for a, b in zip(y, r, strict=True)) / sum(b * b for b in r)
-    if factor and all(abs(a - factor * b) <= tolerance * abs(factor) for a, b in zip(y, r, strict=True)):
+    if (
+        factor
+        and abs(factor - 1) > LOOSE * seen.rule.rtol
+        and all(abs(a - factor * b) <= tolerance * abs(factor) for a, b in zip(y, r, strict=True))
+    ):
         return _factor(seen, number, factor)
     mean = sum(a - b for a, b in zip(y, r, strict=True)) / len(y)
     if all(abs(a - b - mean) <= tolerance for a, b in zip(y, r, strict=True)):

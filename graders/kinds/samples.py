@@ -28,7 +28,7 @@ class Series:
     Args:
         columns: The columns in the order of the reference, the abscissae first.
         abscissae: How many of them may stand for the abscissa: the time, and the angle of a driver of constant speed.
-        rtol: Tolerance of an ordinate over the largest of its column.
+        rtol: Tolerance of an ordinate over the amplitude of its column, half of its range.
         least: The least number of rows.
         step: The step asked for; empty for the step named like the answer.
         weight: Share in the score.
@@ -102,12 +102,12 @@ class Series:
             return inf
         first, second = cycle_of(one, self.abscissae), cycle_of(other, self.abscissae)
         pairs = [(a, b, max(abs(a), abs(b))) for a, b in zip(first.turns, second.turns, strict=True)]
-        for x, y in zip(first.ordinates, second.ordinates, strict=True):
-            scale = max(*map(abs, x), *map(abs, y))
+        scales = map(max, first.scales, second.scales)
+        for x, y, scale in zip(first.ordinates, second.ordinates, scales, strict=True):
             pairs += [(a, b, scale) for a, b in zip(x, y, strict=True)]
         return max(abs(a - b) / (self.rtol * scale) for a, b, scale in pairs if scale)
 
     def describe(self) -> Mapping[str, Any]:
         """Give the columns with their units, the least number of rows and the tolerance."""
         columns = [{"name": column.name, "unit": column.unit} for column in self.columns]
-        return {"columns_asked": columns, "least_rows": self.least, "largest": self.rtol}
+        return {"columns_asked": columns, "least_rows": self.least, "amplitude": self.rtol}
