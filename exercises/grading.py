@@ -14,7 +14,7 @@ from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.language import Tree
 from graders.language.doubles import UndefinedError
 from graders.language.notes import notes_of
-from graders.verdict import EMPTY, FAULT, FOLLOWED, unreadable
+from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
 
 GRADER_VERSION = "1"
 PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference
@@ -94,9 +94,13 @@ def _read(solved: Solved, name: str, text: str) -> Any:
 
 
 def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
-    """Judge the answers in order; a wrong one is carried, and later ones are solved again from it."""
+    """Judge the answers in order; a wrong one is carried, and later ones are solved again from it.
+
+    So is a right one in which the student chooses freely (frames of a chain): what follows from it is simply right.
+    """
     verdicts: dict[str, Verdict] = {}
     fixed: dict[str, Value | Tree] = {}
+    slipped = False
     for name, answer in read.items():
         if isinstance(answer, Verdict):
             verdicts[name] = answer
@@ -104,7 +108,10 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
         verdict = solved.answers[name].check(answer, _against(solved, read, name, solved.reference(name)))
         if verdict.outcome in (Outcome.WRONG, Outcome.PARTLY):
             if fixed and _follows(solved, name, answer, fixed):
-                verdict = FOLLOWED
+                verdict = FOLLOWED if slipped else RIGHT
+            slipped = slipped or verdict is not RIGHT
+            _carry(solved, name, answer, fixed)
+        elif getattr(solved.answers[name], "free", False):
             _carry(solved, name, answer, fixed)
         verdicts[name] = verdict
     return verdicts

@@ -14,6 +14,7 @@ from server.errors import Refused
 PREFIX = "answer."
 MOST_FIELDS = 1000
 KEY = "key"
+GRIDS = ("matrix", "dh_table")  # kinds that are typed entry by entry
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +25,9 @@ class Form:
     raw: bytes
 
     def answer(self, field: Field) -> str:
-        """Give the text of one answer; for a matrix the text twin goes before the grid."""
+        """Give the text of one answer; for a grid the text twin goes before the grid."""
         text = self.values.get(PREFIX + field.name, "")
-        if text.strip() or field.kind != "matrix":
+        if text.strip() or field.kind not in GRIDS:
             return text
         return join([[self.values.get(name, "") for name in row] for row in cell_names(field)])
 

@@ -117,14 +117,14 @@ async def lines(
 
 
 def _line(number: int, field: Field, text: str, echo: Understood | None, verdict: Judged | None) -> Line:
-    matrix = field.kind == "matrix"
-    apart = forms.split(text, field.rows, field.columns) if matrix and text else None
+    grid = field.kind in forms.GRIDS
+    apart = forms.split(text, field.rows, field.columns) if grid and text else None
     return Line(
         number=number,
         field=field,
-        typed="" if matrix else text,
-        twin=text if matrix and apart is None else "",
-        cells=_cells(field, apart, verdict) if matrix else (),
+        typed="" if grid else text,
+        twin=text if grid and apart is None else "",
+        cells=_cells(field, apart, verdict) if grid else (),
         keys=_keys(field) if field.kind == "expression" else (),
         echo=echo,
         verdict=verdict,
