@@ -25,9 +25,10 @@ from typing import Any  # noqa: E402
 
 PROGRAM = """
 import os
+from dataclasses import replace
 from server.run import serve
 from server.settings import from_environment
-serve(from_environment(os.environ))
+serve(replace(from_environment(os.environ), limited=False))
 """
 START = 60.0  # s
 CLIENTS = 4

@@ -19,6 +19,7 @@ from server.bench import Bench
 from server.database import Database, secret_of
 from server.envelope import Envelope
 from server.judging import Judging, JudgingThread
+from server.limits import Limiter
 from server.reader import admit
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
@@ -74,7 +75,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     storage = Database(settings.store_url)
     judging = app.state.judging or JudgingThread()
     secret = settings.secret or secret_of(settings.store_url)
-    app.state.bench = Bench(settings, storage, judging, secret, app.state.assets)
+    app.state.bench = Bench(settings, storage, judging, secret, app.state.assets, Limiter())
     await _purge(storage)
     purging = asyncio.create_task(_purge_daily(storage))
     try:

@@ -8,6 +8,7 @@ from typing import Annotated
 from fastapi import Depends, Request
 
 from server.judging import Judging
+from server.limits import Limiter
 from server.settings import Settings
 from server.static_files import Assets
 from server.storage import Storage
@@ -22,6 +23,7 @@ class Bench:
     judging: Judging
     secret: bytes
     assets: Assets
+    limiter: Limiter
 
 
 async def bench(request: Request) -> Bench:

@@ -27,12 +27,13 @@ KINDS = {
 
 
 class Problem(BaseModel):
-    """What went wrong, where, and the number to quote when you ask about it."""
+    """What went wrong, where, what opens a closed door, and the number to quote when you ask about it."""
 
     code: str
     message: str
     field: str | None = None
     position: int | None = None
+    opens: str | None = None
     request_id: str
 
 
@@ -47,10 +48,10 @@ class Refused(HTTPException):
 
     def __init__(
         self, status: int, code: str, *, field: str | None = None, position: int | None = None,
-        headers: Mapping[str, str] | None = None, **values: object,
+        opens: str | None = None, headers: Mapping[str, str] | None = None, **values: object,
     ) -> None:  # fmt: skip
         super().__init__(status, code, dict(headers or {}))
-        self.code, self.field, self.position, self.values = code, field, position, values
+        self.code, self.field, self.position, self.opens, self.values = code, field, position, opens, values
 
 
 def install(app: FastAPI) -> None:
@@ -106,6 +107,7 @@ def respond(request: Request, error: Refused) -> Response:
         message=language.say(spoken, f"errors.{error.code}", **error.values),
         field=error.field,
         position=error.position,
+        opens=error.opens,
         request_id=request.scope.get("request_id", ""),
     )
     if wants_page(request):

@@ -66,7 +66,7 @@ async def list_exercises(
     return Exercises(exercises=shown, next=f"{router.prefix}?{query}" if further else None)
 
 
-@router.get("/{exercise}", responses={404: {"model": Failure}})
+@router.get("/{exercise}", responses={404: {"model": Failure}, 422: {"model": Failure}})
 async def show_exercise(exercise: str, bench: Tools, reader: Asking) -> Exercise:
     """Describe one exercise."""
     return await described(bench, known(exercise), reader.language)

@@ -13,6 +13,7 @@ from fastapi import Depends, Request, Response
 from server import ids, language, tokens
 from server.bench import Bench, Tools
 from server.errors import Refused
+from server.limits import ADDRESS, NEWCOMERS, OWNER
 from server.policy import POLICIES, Role
 from server.storage import Owner
 
@@ -40,7 +41,8 @@ async def admit(request: Request, bench: Tools) -> Reader:
     """Let a reader in, or refuse: the policy of the route, the token, the origin of the page that posts.
 
     Raises:
-        Refused: 401 for a bad or missing token, 403 for a role that does not suffice or a foreign page.
+        Refused: 401 for a bad or missing token, 403 for a role that does not suffice or a foreign page, 429 for too
+            many posts.
     """
     needed = POLICIES.get((request.method, request.scope["route"].path))
     if needed is None:
@@ -48,7 +50,19 @@ async def admit(request: Request, bench: Tools) -> Reader:
     role, owner = _known(request, bench)
     if role < needed:
         raise Refused(*((401, "token_needed") if role is Role.ANONYMOUS else (403, "forbidden")))
+    if request.method not in SAFE and bench.settings.limited:
+        _take_turn(request, bench, owner)
     return Reader(role, owner, language.of(request))
+
+
+def _take_turn(request: Request, bench: Bench, owner: Owner | None) -> None:
+    """Count a post of its owner and of its address, which behind a proxy is not known."""
+    turns = [(OWNER, owner.id)] if owner else []
+    if request.client is not None and bench.settings.public_url is None and (owner is None or owner.anonymous):
+        turns += [(ADDRESS, request.client.host)] + ([] if owner else [(NEWCOMERS, request.client.host)])
+    seconds = max((bench.limiter.wait(rate, name) for rate, name in turns), default=0)
+    if seconds:
+        raise Refused(429, "too_many", headers={"Retry-After": str(seconds)}, seconds=seconds)
 
 
 Asking = Annotated[Reader, Depends(admit)]

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+from socket import socket
+
 import uvicorn
 
 from server import migrate as migrations
@@ -23,11 +26,28 @@ def serve(settings: Settings) -> None:
         migrate(settings)
     elif not migrations.current(settings.store_url):
         raise SettingsError("the database lacks migrations: run `grubler migrate` first")
-    print(f"Grübler listens at {settings.public_url or _address(settings)}", flush=True)
-    uvicorn.run(
+    config = uvicorn.Config(
         create_app(settings), host=settings.host, port=settings.port, log_level="warning", access_log=False,
         server_header=False, proxy_headers=False,
     )  # fmt: skip
+    server = Announced(config)
+    server.address = settings.public_url or _address(settings)
+    with suppress(KeyboardInterrupt):
+        server.run()
+    if not server.started:
+        raise SystemExit(3)
+
+
+class Announced(uvicorn.Server):
+    """A server that says where it listens once it does."""
+
+    address = ""
+
+    async def startup(self, sockets: list[socket] | None = None) -> None:
+        """Listen, then say so."""
+        await super().startup(sockets)
+        if self.started:
+            print(f"Grübler listens at {self.address}", flush=True)
 
 
 def _address(settings: Settings) -> str:

@@ -28,6 +28,7 @@ class Settings:
         secret: Server secret; without it one is made on the first start and kept in the store.
         public_url: The address people type, where a proxy stands in front.
         insecure_http: Whether a plain-http address other than loopback is allowed.
+        limited: Whether posts of one person and of one address are limited.
     """
 
     data_dir: Path = Path("data")
@@ -37,6 +38,7 @@ class Settings:
     secret: bytes | None = None
     public_url: str | None = None
     insecure_http: bool = False
+    limited: bool = True
 
     @property
     def store_url(self) -> str:

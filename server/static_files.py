@@ -19,10 +19,11 @@ AN_HOUR = "public, max-age=3600"
 
 @dataclass(frozen=True, slots=True)
 class Assets:
-    """Addresses of the built style sheets and of the script; none of them before the build."""
+    """Addresses of the built style sheets, of the script and of the fonts; none of them before the build."""
 
     styles: tuple[str, ...] = ()
     script: str | None = None
+    fonts: tuple[str, ...] = ()
 
 
 def find(folder: Path = FOLDER) -> Assets:
@@ -36,7 +37,8 @@ def find(folder: Path = FOLDER) -> Assets:
         if manifest.is_file():
             entry = json.loads(manifest.read_text("utf-8"))[ENTRY]
             styles = tuple(f"/static/build/{style}" for style in entry.get("css", ()))
-            return Assets(styles, f"/static/build/{entry['file']}")
+            fonts = sorted(name for name in entry.get("assets", ()) if name.endswith(".woff2"))
+            return Assets(styles, f"/static/build/{entry['file']}", tuple(f"/static/build/{name}" for name in fonts))
     return Assets()
 
 

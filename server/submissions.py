@@ -88,7 +88,7 @@ async def hand_in(
     return await graded(bench, marked, marked.handed.language)
 
 
-@router.get("/submissions/{receipt}", responses=GONE)
+@router.get("/submissions/{receipt}", responses=GONE | {422: {"model": Failure}})
 async def show_submission(receipt: str, bench: Tools, reader: Asking) -> Graded:
     """Look up a submission by the number on its receipt."""
     return await graded(bench, await receipted(bench, reader, receipt), reader.language)

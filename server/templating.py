@@ -72,7 +72,7 @@ def error_page(
     request: Request, language: str, status: int, message: str, number: str, headers: Mapping[str, str] | None
 ) -> Response:
     """Render the page of an error: what happened, what is safe, the number to quote, the way back."""
-    context = {"status": status, "message": message, "number": number}
+    context = {"status": status, "message": message, "number": number, "wait": (headers or {}).get("Retry-After")}
     response = page(request, language, "error.html", context, status=status, path="/")
     response.headers.update(headers or {})
     return response

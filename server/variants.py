@@ -151,7 +151,7 @@ async def deal_variant(
     return await shown(bench, dealt, reader.language)
 
 
-@router.get("/variants/{variant}", responses=GONE)
+@router.get("/variants/{variant}", responses=GONE | {422: {"model": Failure}})
 async def show_variant(variant: str, bench: Tools, reader: Asking) -> ShownVariant:
     """Show a variant to its owner or to a lecturer."""
     return await shown(bench, await visible(bench, reader, variant), reader.language)
@@ -164,7 +164,7 @@ async def preview(variant: str, question: Question, bench: Tools, reader: Asking
     return await understood(bench, restored(dealt), question.answer, question.text, reader.language)
 
 
-@router.get("/variants/{variant}/solution", responses=GONE | {403: {"model": Failure}})
+@router.get("/variants/{variant}/solution", responses=GONE | {403: {"model": Failure}, 422: {"model": Failure}})
 async def show_solution(variant: str, bench: Tools, reader: Asking) -> Solution:
     """Show the worked solution, once some submission to the variant has counted."""
     lines = await solved(bench, reader, await visible(bench, reader, variant))
@@ -287,5 +287,5 @@ async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting
         Refused: 403, not open yet.
     """
     if not may_see_solution(reader.role, await bench.storage.counted(dealt.id)):
-        raise Refused(403, "solution_closed")
+        raise Refused(403, "solution_closed", opens="first_counted_submission")
     return await bench.judging.run(presenting.solution, restored(dealt), reader.language)

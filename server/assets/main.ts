@@ -1,6 +1,7 @@
 /* The islands of a page. Every page works without them; each one looks for its own markup and starts only there. */
 import "./css/main.css";
 
+import { countDown } from "./ts/countdown.ts";
 import { restoreDraft } from "./ts/draft.ts";
 import { listenForEcho } from "./ts/echo.ts";
 import { growFormulas } from "./ts/formula.ts";
@@ -16,3 +17,4 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   restoreDraft(form); // last: what it restores is echoed and grown like typed text
 });
 document.querySelectorAll<HTMLElement>('[role="group"][hidden]').forEach(showSymbols);
+document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);

@@ -140,7 +140,8 @@ class Live:
     def start(self) -> None:
         """Start the process and wait until it serves."""
         environ = {**os.environ, "GRUBLER_DATA_DIR": str(self.folder), "GRUBLER_PORT": str(self.port)}
-        self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], env=environ, stdout=subprocess.DEVNULL)
+        with self.folder.with_suffix(".out").open("wb") as out:
+            self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], env=environ, stdout=out)
         deadline = time.monotonic() + START
         while not self._serves():
             assert self.process.poll() is None, "the server has ended"
@@ -153,6 +154,10 @@ class Live:
                 return bool(answer.status == 200)
         except (URLError, OSError):
             return False
+
+    def said(self) -> str:
+        """What it has printed since it was last started."""
+        return self.folder.with_suffix(".out").read_text("utf-8")
 
     def kill(self) -> None:
         """End it as a power cut would."""

@@ -21,7 +21,7 @@ from server.settings import Settings
 from server.storage import StorageUnavailable
 
 JSON = {"content-type": "application/json"}
-KEYS = {"code", "message", "field", "position", "request_id"}
+KEYS = {"code", "message", "field", "position", "opens", "request_id"}
 
 
 def failure(reply: Any) -> dict[str, Any]:
@@ -230,3 +230,19 @@ def test_no_text_brings_the_judging_down(client: TestClient, deal: Callable[...,
     assert "fault" not in {verdict["outcome"] for verdict in reply.json()["verdicts"].values()}
     assert reply.json()["answers"] == answers
     assert client.get(f"/variants/{number}").status_code == 200
+
+
+def test_the_description_names_our_own_shape_for_every_error(client: TestClient) -> None:
+    described = client.get("/api/v1/openapi.json").json()
+    assert not {"HTTPValidationError", "ValidationError"} & set(described["components"]["schemas"])
+    for path, methods in described["paths"].items():
+        for method, operation in methods.items():
+            for status, response in operation["responses"].items():
+                if int(status) >= 400:
+                    schema = response["content"]["application/json"]["schema"]
+                    assert schema == {"$ref": "#/components/schemas/Failure"}, f"{method} {path} {status}"
+
+
+def test_a_closed_solution_says_what_opens_it(client: TestClient, deal: Callable[..., str]) -> None:
+    refused = client.get(f"/api/v1/variants/{deal()}/solution")
+    assert refused.status_code == 403 and refused.json()["error"]["opens"] == "first_counted_submission"

@@ -103,14 +103,31 @@ def test_postgresql_without_migrations_is_not_served(database_url: str, tmp_path
 
 @pytest.mark.parametrize("embedded", [True, False])
 def test_the_store_is_brought_up_to_date_and_served(
-    embedded: bool, request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any
+    embedded: bool, request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    served: list[dict[str, Any]] = []
-    monkeypatch.setattr(uvicorn, "run", lambda app, **options: served.append(options))
+    served: list[uvicorn.Config] = []
+
+    def answer(server: run.Announced) -> None:
+        served.append(server.config)
+        server.started = True
+
+    monkeypatch.setattr(run.Announced, "run", answer)
     url = None if embedded else request.getfixturevalue("database_url")
     settings = Settings(tmp_path / "data", host="::1", port=8123, database_url=url)
     if not embedded:
         run.migrate(settings)
     run.serve(settings)
-    assert (served[0]["host"], served[0]["port"], served[0]["proxy_headers"]) == ("::1", 8123, False)
-    assert "http://[::1]:8123" in capsys.readouterr().out
+    assert (served[0].host, served[0].port, served[0].proxy_headers) == ("::1", 8123, False)
+
+
+def test_the_address_is_told_once_the_server_listens(live: Live) -> None:
+    assert live.said().strip() == f"Grübler listens at http://127.0.0.1:{live.port}"
+
+
+def test_a_port_that_is_taken_is_no_success(tmp_path: Path, capsys: Any) -> None:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        with pytest.raises(SystemExit):
+            run.serve(Settings(tmp_path, port=taken.getsockname()[1]))
+    assert "listens" not in capsys.readouterr().out
