@@ -68,8 +68,9 @@ def test_a_flood_of_one_person_is_told_when_to_come_back(client: TestClient, dea
     assert refused.status_code == 429 and refused.json()["error"]["code"] == "too_many"
     assert int(refused.headers["Retry-After"]) >= 1
     assert refused.headers["Retry-After"] in refused.json()["error"]["message"]
-    page = client.post(f"/variants/{path.split('/')[4]}", data={}, headers={"Accept": "text/html"})
-    assert page.status_code == 429 and 'data-countdown="' in page.text
+    pages = (client.post(f"/variants/{path.split('/')[4]}", data={}, headers={"Accept": "text/html"}) for _ in range(9))
+    page = next(page for page in pages if page.status_code == 429)
+    assert 'data-countdown="' in page.text
     assert client.get(f"/variants/{path.split('/')[4]}").status_code == 200
 
 
