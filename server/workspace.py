@@ -14,7 +14,18 @@ from server.bench import Bench
 from server.submissions import Graded, Judged
 from server.variants import Understood, understood
 
-SHORT = ("quantity", "integer")
+SHORT = ("quantity", "integer", "rational")
+LONG = {
+    "polygon": 8,
+    "samples": 8,
+    "diagram": 6,
+    "text": 6,
+    "dh_table": 5,
+    "system": 4,
+    "rates": 3,
+    "function": 3,
+}  # lines
+HELPED = ("choices", "dh_table", "diagram", "function", "ordering", "polygon", "rates", "rational", "samples", "set")
 SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
 
 
@@ -70,9 +81,20 @@ class Line:
         return self.field.kind in SHORT
 
     @property
+    def long(self) -> int:
+        """How many lines the field has; 0 for a field of one line."""
+        return LONG.get(self.field.kind, 0)
+
+    @property
+    def helped(self) -> bool:
+        """Whether a sentence says how the answer is typed."""
+        return self.field.kind in HELPED
+
+    @property
     def described_by(self) -> str:
         """The ids of what describes the field."""
         parts = ["h"] if self.field.tolerance_text or self.field.unit_text else []
+        parts += ["k"] if self.helped else []
         parts += ["v"] if self.verdict else []
         return " ".join(f"{self.id}-{part}" for part in [*parts, "r"])
 

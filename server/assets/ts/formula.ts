@@ -1,4 +1,4 @@
-/* Formula lines: Enter adds no line, Ctrl+Enter checks, the field grows with its text. */
+/* Formula lines: Enter adds a line only where there may be several, Ctrl+Enter checks, the field grows with its text. */
 import { isTextField } from "./fields.ts";
 
 type Key = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "isComposing">;
@@ -19,7 +19,7 @@ export function growFormulas(form: HTMLFormElement): void {
   form.addEventListener("keydown", (event) => {
     const { target } = event;
     if (!isTextField(target)) return;
-    const sense = meaning(event, target.matches("textarea.formula"));
+    const sense = meaning(event, target.matches("textarea.formula:not(.lines)"));
     if (sense === "default") return;
     event.preventDefault();
     if (sense === "check") form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));

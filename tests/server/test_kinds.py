@@ -1,0 +1,29 @@
+"""Every answer kind has a field on the page, and a sentence on how it is typed where that is not plain."""
+
+from __future__ import annotations
+
+import pytest
+
+from graders import KINDS
+from graders.words import LANGUAGES
+from server.language import say
+from server.workspace import HELPED, LONG
+
+PLAIN = {"choice", "expression", "integer", "matrix", "quantity", "text", "equation", "system", "inequality"}
+
+
+def test_every_kind_says_how_it_is_typed() -> None:
+    assert set(KINDS) <= PLAIN | set(HELPED)
+    assert not PLAIN & set(HELPED)
+
+
+def test_kinds_of_several_lines_have_a_field_of_several_lines() -> None:
+    assert {"polygon", "rates", "diagram", "function", "samples", "text"} & set(KINDS) <= set(LONG)
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_the_sentences_are_there_in_every_language(lang: str) -> None:
+    for kind in HELPED:
+        assert len(say(lang, f"help.{kind}")) > 20
+    for kind in KINDS:
+        assert say(lang, f"kinds.{kind}_many")
