@@ -25,7 +25,7 @@ LONG = {
     "rates": 3,
     "function": 3,
 }  # lines
-HELPED = ("choices", "dh_table", "diagram", "function", "ordering", "polygon", "rates", "rational", "samples", "set")
+HELPED = ("choices", "dh_table", "diagram", "function", "ordering", "polygon", "rates", "samples", "set")
 SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
 
 

@@ -9,7 +9,18 @@ from graders.words import LANGUAGES
 from server.language import say
 from server.workspace import HELPED, LONG
 
-PLAIN = {"choice", "expression", "integer", "matrix", "quantity", "text", "equation", "system", "inequality"}
+PLAIN = {
+    "choice",
+    "expression",
+    "integer",
+    "matrix",
+    "quantity",
+    "rational",
+    "text",
+    "equation",
+    "system",
+    "inequality",
+}
 
 
 def test_every_kind_says_how_it_is_typed() -> None:
