@@ -80,8 +80,8 @@ class Diagram:
         """Recognise a diagram that is right but for its sign or for a power of ten."""
         if compare(_scaled(drawn, -1.0), true, self.rtol).right:
             return Verdict(self.opposite_credit, Code.OPPOSITE_CONVENTION)
-        height = highest(drawn)
-        power = round(math.log10(height / highest(true))) if height else 0
+        height, true_height = highest(drawn), highest(true)
+        power = round(math.log10(height / true_height)) if height and true_height else 0
         if power and abs(power) <= 12 and compare(_scaled(drawn, 10.0**-power), true, self.rtol).right:
             return wrong(Code.FACTOR_OF_TEN)
         return None
@@ -91,7 +91,7 @@ class Diagram:
         places = read_unit(self.x_unit).factor
         flaws = tuple(mark.flaws[0].in_unit(places, self.x_unit) for mark in marks if mark.flaws)
         remarks = Remarks(sum(mark.share == 1 for mark in marks), len(marks), flaws)
-        score = max(0.0, round((seen.share - idle) / (1 - idle), 6))
+        score = max(0.0, round((seen.share - idle) / (1 - idle), 6)) if idle < 1 else 0.0
         return Verdict(score, Code.SOME_MARKS, remarks) if score else wrong(Code.NO_MARKS, remarks)
 
     def show(self, reference: Rows) -> str:

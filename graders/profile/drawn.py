@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -18,7 +17,9 @@ from graders.profile.ranges import LONGEST, MOST, Piece, Ranged, read_formula, r
 from graders.profile.stretches import Stretch
 from graders.units import Unit, fits, read_unit
 
-GREATEST = 1e99
+GREATEST = 1e30  # of a coefficient
+FARTHEST = 1e6  # place, m
+SHORTEST = 1e-9  # stretch of a table, m
 NOTHING = Symbols(())
 CELL = re.compile(r"[;\t|]")
 ABSENT = ("", "-", "–", "—", "−", "x")
@@ -53,29 +54,34 @@ class Part:
         """
         low = first if self.start is None else self.start
         high = last if self.end is None else self.end
-        inner = sorted({x for x in self._borders() if low < x < high})
+        inner = sorted({x for x in self.borders() if low < x < high})
+        middle = 0.0
+        runner = Runner(self.program, arithmetic(lambda inside: value(inside, middle) > 0))
         for start, end in pairwise([low, *inner, high]):
             middle = (start + end) / 2 / self.x_factor
-            typed = _polynomial(self.program, lambda inside, at: value(inside, at) > 0, middle)
-            curve = tuple(self.factor * c / self.x_factor**power for power, c in enumerate(typed))
+            curve = tuple(self.factor * c / self.x_factor**power for power, c in enumerate(_run(runner)))
             yield Stretch(0.0, last, curve).part(start, end)
 
-    def _borders(self) -> list[float]:
+    def borders(self) -> list[float]:
+        """Find where brackets open, in metres.
+
+        Raises:
+            NotPolynomialError: The formula is no polynomial, or a bracket does not open at one place.
+        """
         found: list[float] = []
 
-        def note(inside: Polynomial, _at: float) -> bool:
+        def note(inside: Polynomial) -> bool:
             if len(inside) > 2:
                 raise NotPolynomialError("a bracket opens at one place")
             if len(inside) == 2 and inside[1]:
                 found.append(-inside[0] / inside[1] * self.x_factor)
             return True
 
-        _polynomial(self.program, note, 0.0)
+        _run(Runner(self.program, arithmetic(note)))
         return found
 
 
-def _polynomial(program: Program, opened: Callable[[Polynomial, float], bool], at: float) -> Polynomial:
-    runner = Runner(program, arithmetic(lambda inside: opened(inside, at)))
+def _run(runner: Runner) -> Polynomial:
     (found,) = runner.run([(0.0, 1.0)])
     if not isinstance(found, tuple) or not all(isinstance(c, float) and abs(c) < GREATEST for c in found):
         raise NotPolynomialError("no number")
@@ -98,18 +104,20 @@ def _part(ranged: Ranged, axes: Axes) -> Part:
         low, high = _amount(ranged.start, axes.x_unit), _amount(ranged.end, axes.x_unit)
         written = high.unit or low.unit
         x_factor = written.factor if written else x_factor
-        start, end = (one.value if one.unit else one.number * x_factor for one in (low, high))
+        start, end = _place(low, ranged.start, x_factor), _place(high, ranged.end, x_factor)
         if not start < end:
             raise AnswerSyntaxError(Reason.NEEDS_RANGE, ranged.start.place, ranged.start.text[:20])
     body, unit = _without_unit(ranged.body, read_unit(axes.unit))
     tree = read_formula(body, Symbols([axes.x]))
     part = Part(start, end, tree, _program(tree, axes.x, body), x_factor, unit.factor)
     try:
-        tuple(part.stretches(0.0, 1.0))
+        opened = len(part.borders())
     except NotPolynomialError:
         raise AnswerSyntaxError(Reason.NOT_A_POLYNOMIAL, body.place, body.text[:20]) from None
     except (ValueError, ArithmeticError, TypeError, IndexError, AttributeError):
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, body.place, body.text[:20]) from None
+    if opened > MOST:
+        raise AnswerSyntaxError(Reason.TOO_LONG, body.place)
     return part
 
 
@@ -123,6 +131,14 @@ def _program(tree: Tree, x: str, body: Piece) -> Program:
         raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, body.place, body.text[:20]) from None
     except RecursionError:
         raise AnswerSyntaxError(Reason.TOO_LONG, body.place) from None
+
+
+def _place(amount: Amount, piece: Piece, factor: float) -> float:
+    """Give a place in metres; a number without its unit is taken by the factor, if one is given."""
+    x = amount.value if amount.unit or not factor else amount.number * factor
+    if not abs(x) < FARTHEST:
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, piece.place, piece.text[:20])
+    return x
 
 
 def _amount(piece: Piece, unit: str) -> Amount:
@@ -183,9 +199,11 @@ def _cells(text: str) -> Iterator[list[Piece]]:
         start += len(line) + 1
         if row.text.strip():
             bare = row.bare
+            framed = bare.text[0] == bare.text[-1] == "|"
+            bare = bare.part(1, len(bare.text) - 1).bare if framed else bare
             marks = [-1, *(found.start() for found in CELL.finditer(bare.text)), len(bare.text)]
             cells = [bare.part(low + 1, high).bare for low, high in pairwise(marks)]
-            yield cells if cells[0].text else cells[1:]
+            yield cells
 
 
 def _is_header(row: Sequence[Piece]) -> bool:
@@ -193,8 +211,8 @@ def _is_header(row: Sequence[Piece]) -> bool:
 
 
 def _between(one: list[Piece], other: list[Piece], axes: Axes) -> Stretch:
-    start, end = (_amount(row[0], axes.x_unit).value for row in (one, other))
-    if not start < end:
+    start, end = (_place(_amount(row[0], axes.x_unit), row[0], 0.0) for row in (one, other))
+    if not end - start > SHORTEST:
         raise AnswerSyntaxError(Reason.NEEDS_RANGE, other[0].place, other[0].text[:20])
     for row in (one, other):
         if not 2 <= len(row) <= 4:
@@ -207,6 +225,6 @@ def _between(one: list[Piece], other: list[Piece], axes: Axes) -> Stretch:
     length = end - start
     bend = 2 * (first + last - 2 * middle) / length**2
     curve = (first, (last - first) / length - bend * length, bend)
-    if not all(map(math.isfinite, curve)):
+    if not all(abs(c) < GREATEST for c in curve):
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, one[0].place)
     return Stretch(start, end, curve)

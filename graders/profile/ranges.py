@@ -54,10 +54,22 @@ def read_formula(piece: Piece, symbols: Symbols) -> Tree:
     Raises:
         AnswerSyntaxError: The formula is not in the language.
     """
-    tree = piece.read(lambda text: parse(text, symbols))
-    if isinstance(tree, Relation) and CLOSED.search(piece.text):
-        tree = Piece(CLOSED.sub(">^1", piece.text), piece.place).read(lambda text: parse(text, symbols))
+    closed = CLOSED.sub(">^1", piece.text)
+    try:
+        tree = piece.read(lambda text: parse(text, symbols))
+    except AnswerSyntaxError as error:
+        return _or_raise(closed, symbols, error)
+    if isinstance(tree, Relation) and closed != piece.text:
+        return Piece(closed, piece.place).read(lambda text: parse(text, symbols))
     return tree
+
+
+def _or_raise(closed: str, symbols: Symbols, error: AnswerSyntaxError) -> Tree:
+    """Read a formula with the powers of its brackets filled in, else tell what was wrong with the one typed."""
+    try:
+        return parse(closed, symbols)
+    except AnswerSyntaxError:
+        raise error from None
 
 
 class Ranged(NamedTuple):
