@@ -38,6 +38,7 @@ class Field:
     atol: float | None
     rows: int
     columns: int
+    column_units: tuple[str, ...]
     options: tuple[tuple[str, str], ...]
     weight: float
 
@@ -112,6 +113,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         atol=described.get("atol"),
         rows=described.get("rows", 0),
         columns=described.get("columns", 0),
+        column_units=tuple(printed_unit(unit, lang) for unit in described.get("units", ())),
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
     )

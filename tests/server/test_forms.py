@@ -14,7 +14,7 @@ ENTRIES = st.from_regex(r"-?[0-9]{1,3}(,[0-9]{1,2})?", fullmatch=True)
 
 
 def matrix(rows: int, columns: int) -> Field:
-    return Field("T", "matrix", "", "", "", "", "", (), "", None, None, rows, columns, (), 1.0)
+    return Field("T", "matrix", "", "", "", "", "", (), "", None, None, rows, columns, (), (), 1.0)
 
 
 @st.composite
