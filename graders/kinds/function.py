@@ -17,6 +17,8 @@ from graders.profile.ranges import Piece, Ranged, read_formula, read_ranges
 from graders.remarks import Remark, Remarks, Slip
 from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, wrong
 
+MOST_PIECES = 16
+
 
 @dataclass(frozen=True, slots=True)
 class Function:
@@ -41,7 +43,7 @@ class Function:
 
     def parse(self, text: str, symbols: Symbols) -> tuple[Part, ...]:
         """Read `R_A*x - F1*<x-a1>^1`, or pieces `0 .. a1: R_A*x`, a line each; raises AnswerSyntaxError."""
-        return tuple(self._part(ranged, symbols) for ranged in read_ranges(text))
+        return tuple(self._part(ranged, symbols) for ranged in read_ranges(text, MOST_PIECES))
 
     def _part(self, ranged: Ranged, symbols: Symbols) -> Part:
         start, end = (

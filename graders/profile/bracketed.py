@@ -19,7 +19,7 @@ from graders.language.program import Builder, Runner
 from graders.language.tree import Call, Number, Tree, Unary, walk
 
 STATES = 4
-MOST_CUTS = 24
+MOST_CUTS = 16
 SLIVER = 1e-6  # of the span
 EXACT = 1e-9
 GOLDEN = (math.sqrt(5) - 1) / 2

@@ -80,7 +80,7 @@ class Ranged(NamedTuple):
     body: Piece
 
 
-def read_ranges(text: str) -> list[Ranged]:
+def read_ranges(text: str, most: int = MOST) -> list[Ranged]:
     """Cut a text into pieces with ranges; a text without any range is one piece over the whole span.
 
     Raises:
@@ -91,8 +91,8 @@ def read_ranges(text: str) -> list[Ranged]:
     pieces = [piece for piece in lines(POINTED.sub(r"(\1)", text)) if piece.text]
     if not pieces:
         raise AnswerSyntaxError(Reason.EMPTY, 0)
-    if len(pieces) > MOST:
-        raise AnswerSyntaxError(Reason.TOO_LONG, pieces[MOST].place)
+    if len(pieces) > most:
+        raise AnswerSyntaxError(Reason.TOO_LONG, pieces[most].place)
     if len(pieces) == 1 and _colon(pieces[0]) is None and not DOTS.search(pieces[0].text):
         return [Ranged(None, None, unnamed(pieces[0]))]
     if FRONT.fullmatch(pieces[0].text) and _colon(pieces[0]) is None:  # `M =` on a line of its own
