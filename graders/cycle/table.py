@@ -131,8 +131,14 @@ def _numbers(plain: str, start: int, separator: str | None) -> Columns:
 
 
 def _misread(plain: str, line: str, start: int, reason: Reason) -> AnswerSyntaxError:
-    place = plain.replace(",", ".").find(line.replace(",", "."), start)
-    return AnswerSyntaxError(reason, max(place, 0), line[:20])
+    """Find the line again in the text as typed."""
+    place, wanted = start, line.replace(",", ".")
+    for typed in plain[start:].split("\n"):
+        found = typed.replace(",", ".").find(wanted)
+        if found >= 0 and typed[:found].strip() == "" and typed[found + len(line) :].strip(" ;|\t") == "":
+            return AnswerSyntaxError(reason, place + found, line[:20])
+        place += len(typed) + 1
+    return AnswerSyntaxError(reason, start, line[:20])
 
 
 def _usual(values: Columns, columns: Sequence[Column], abscissae: int) -> list[str]:
