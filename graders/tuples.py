@@ -16,7 +16,7 @@ MAX_ITEMS = 24
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 NAMED = re.compile(r"[^\S\n]{0,20}([^\W\d]\w{0,20}'{0,2})[^\S\n]{0,20}=")
 NOTHING = (
-    "∅", "-", "−", "–", "{}", "[]", "()", "none", "no solution", "no solutions", "brak", "brak rozwiązań", "нет",
+    "∅", "{}", "none", "no solution", "no solutions", "brak", "brak rozwiązań", "нет",
     "нет решений", "решений нет",
 )  # fmt: skip
 

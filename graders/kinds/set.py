@@ -103,7 +103,7 @@ class Set:
 
     def _spellings(self, reference: Rows) -> tuple[str, ...]:
         if not reference:
-            return ("none", "brak", "нет", "-")
+            return ("none", "brak", "нет", "{}")
         turned = [tuple(n + 2 * pi * _is_angle(p) for p, n in zip(self.parts, r, strict=True)) for r in reference]
         texts = ["\n".join(map(self._shown, turned)), "{" + self.show(reference) + "}"]
         if self.names and len(self.parts) > 1:

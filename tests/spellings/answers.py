@@ -15,6 +15,11 @@ Spelled = list[tuple[str, str]]
 Kind = Callable[[Solved, str], Spelled]
 
 
+def covered(solved: Solved) -> list[str]:
+    """Give the answers that are written here in other ways; the richer kinds have tests of their own."""
+    return [name for name, grader in solved.answers.items() if type(grader) in RIGHT]
+
+
 def right(solved: Solved, name: str) -> Spelled:
     """Give texts that must be judged right, each with its kind."""
     return RIGHT[type(solved.answers[name])](solved, name)

@@ -8,7 +8,7 @@ import pytest
 
 from exercises import catalogue, variants
 from exercises.exercise import Submission
-from exercises.grading import grade
+from exercises.grading import grade, reference
 from exercises.solving import Solved
 from graders import Code, Quantity, Symbols, Verdict
 from graders.language import AnswerSyntaxError
@@ -45,7 +45,7 @@ def test_every_rewriting_is_right(exercise: str) -> None:
     refused = []
     for seed in SEEDS:
         variant = solved(exercise, seed)
-        for name in variant.answers:
+        for name in answers.covered(variant):
             texts = answers.right(variant, name)
             assert len({kind for kind, _ in texts}) >= LEAST_RIGHT
             refused += [(seed, name, *each) for each in judged(variant, name, texts) if not full(each[2])]
@@ -57,7 +57,7 @@ def test_no_mutant_gets_full_marks(exercise: str) -> None:
     accepted = []
     for seed in SEEDS:
         variant = solved(exercise, seed)
-        for name in variant.answers:
+        for name in answers.covered(variant):
             texts = answers.wrong(variant, name)
             assert len(texts) >= LEAST_WRONG
             accepted += [(seed, name, *each) for each in judged(variant, name, texts) if full(each[2])]
@@ -67,9 +67,9 @@ def test_no_mutant_gets_full_marks(exercise: str) -> None:
 @pytest.mark.parametrize("exercise", catalogue.ids())
 def test_a_whole_submission_of_rewritings_scores_one(exercise: str) -> None:
     variant = solved(exercise, 3)
-    texts = {name: list(islice(cycle(answers.right(variant, name)), 5)) for name in variant.answers}
+    texts = {name: list(islice(cycle(answers.right(variant, name)), 5)) for name in answers.covered(variant)}
     for turn in range(5):
-        typed = {name: spelled[turn][1] for name, spelled in texts.items()}
+        typed = reference(variant.variant) | {name: spelled[turn][1] for name, spelled in texts.items()}
         assert grade(Submission(variant.variant, typed)).score == 1
 
 
