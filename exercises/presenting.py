@@ -163,7 +163,7 @@ def _written(solved: Solved, name: str, lang: str) -> str:
     if judge.kind == "samples":
         shown = judge.show(value[:: max(1, len(value) // 12)]).replace("; ", " · ").replace("\n", " | ")
     else:
-        shown = judge.show(value).replace("..", "…").replace("\n", ";  ")
+        shown = judge.show(value).replace("..", "…").replace("\n", "; ")
     return re.sub(r"\d+\.\d+", lambda number: decimal(float(number[0]), lang), shown.replace("-", "−"))
 
 

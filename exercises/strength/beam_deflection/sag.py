@@ -45,7 +45,10 @@ def _level(one: Stretch, slope: float) -> Iterator[float]:
     """Find where the slope, a cubic, changes its sign: bracketed on a grid, then bisected."""
     length = one.end - one.start
     for low, high in pairwise(length * share / PARTS for share in range(PARTS + 1)):
-        if _slope(one, slope, low) * _slope(one, slope, high) < 0:
+        first = _slope(one, slope, low)
+        if first == 0:  # at a load in the middle of a symmetric beam
+            yield low
+        elif first * _slope(one, slope, high) < 0:
             yield _bisected(one, slope, low, high)
 
 
