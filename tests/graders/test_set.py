@@ -85,7 +85,7 @@ def test_plain_numbers_make_a_set_too(typed: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "typed", ["none", "brak", "нет", "∅", "-", "{}", "Brak rozwiązań.", "нет решений", "No solution"]
+    "typed", ["none", "brak", "нет", "∅", "{}", "Brak rozwiązań.", "нет решений", "No solution"]
 )
 def test_the_empty_set_has_words(typed: str) -> None:
     assert code(typed, ROOTS, ()) is Code.RIGHT
