@@ -84,9 +84,7 @@ def test_plain_numbers_make_a_set_too(typed: str) -> None:
     assert code(typed, ROOTS, LENGTHS) is Code.RIGHT
 
 
-@pytest.mark.parametrize(
-    "typed", ["none", "brak", "нет", "∅", "{}", "Brak rozwiązań.", "нет решений", "No solution"]
-)
+@pytest.mark.parametrize("typed", ["none", "brak", "нет", "∅", "{}", "Brak rozwiązań.", "нет решений", "No solution"])
 def test_the_empty_set_has_words(typed: str) -> None:
     assert code(typed, ROOTS, ()) is Code.RIGHT
     assert code(typed) is Code.WRONG
