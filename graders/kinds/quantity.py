@@ -136,7 +136,8 @@ class Quantity:
         """Give texts that must be judged right, wrong and unreadable."""
         value = reference / read_unit(self.unit).factor
         right = (f"{value:.8g}", f"{value:.8g} {self.unit}", f"{value:.8e}".replace(".", ","), f"({value:.8g})*2/2")
-        return Samples(right, (f"{value * 1.5 + self.atol * 9:.8g}", f"{-value:.8g}"), ("", "abc", "1..2", "5 qq"))
+        far = math.copysign(9 * self.atol / read_unit(self.unit).factor, value)
+        return Samples(right, (f"{value * 1.5 + far:.8g}", f"{-value:.8g}"), ("", "abc", "1..2", "5 qq"))
 
     def echo(self, answer: Amount, comma: bool = False) -> Echo:
         """Say which number was read and in which unit."""

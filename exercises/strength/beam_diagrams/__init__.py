@@ -66,11 +66,15 @@ def degenerate(givens: Givens) -> bool:
     ends = [x for load in givens.loads for x in (load.a, getattr(load, "c", load.a))]
     least = [load.F for load in givens.loads if isinstance(load, kinds.Force | kinds.Lift)]
     least += [abs(one.Fy) for one in solved.reactions]
+    walls = [
+        abs(one.M) for one, support in zip(solved.reactions, givens.supports, strict=True) if support.holds == "fixed"
+    ]
     corners = [(abs(one.V), abs(one.M)) for one in solved.pieces]
     corners += [(abs(one.shear(one.x2 - one.x1)), abs(one.moment(one.x2 - one.x1))) for one in solved.pieces]
     return (
         (len(held) == 2 and (0 < held[0] < min(ends) or max(ends) < held[1] < givens.L))
         or min(least) < max(600, 0.1 * V)
+        or min(walls, default=M) < max(1e3, 0.1 * M)
         or any(load.M < 0.1 * M for load in givens.loads if isinstance(load, kinds.Couple))
         or any(load.c - load.a < givens.L / 5 for load in givens.loads if isinstance(load, kinds.Uniform))
         or any(load.q * (load.c - load.a) ** 2 < 0.4 * M for load in givens.loads if isinstance(load, kinds.Uniform))
