@@ -32,8 +32,10 @@ class Drawn:
 
 @dataclass(frozen=True, slots=True)
 class Diagram:
-    """A curve along a bar, piece by piece; its reference is a matrix with a row `start, end, c0, c1, ...` a stretch,
-    the c's being the coefficients of powers of the distance from its start (SI units).
+    """A curve along a bar: pieces `0 .. 1,5: 4*x - x^2`, one formula with brackets, or a table of ordinates.
+
+    The reference is a matrix with a row `start, end, c0, c1, ...` a stretch, the c's being the coefficients of powers
+    of the distance from its start (SI units).
 
     Args:
         unit: The unit of the ordinates, in which bare numbers are read.

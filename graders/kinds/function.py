@@ -22,7 +22,9 @@ MOST_PIECES = 16
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A function of the place in the symbols of the task, equal to the step's formula on the whole span.
+    """A function of the place in the symbols of the task: `R_A*x - F1*<x - a1>^1`, or pieces `0 .. a1: R_A*x`.
+
+    It is right where it equals the step's formula on the whole span.
 
     Args:
         step: The step whose formula is asked for; the variable is one of the givens.

@@ -20,10 +20,10 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """A table of a cycle, read from CSV or JSON; each column of ordinates is judged for itself.
+    """A table of a cycle from a spreadsheet (CSV) or as JSON, with a head such as `t [s]; x [mm]; v [m/s]`.
 
-    The reference is a matrix of the columns in SI units, its rows at equal steps of the abscissae, the last one a whole
-    cycle after the first.
+    Each column of ordinates is judged for itself. The reference is a matrix of the columns in SI units, its rows at
+    equal steps of the abscissae, the last one a whole cycle after the first.
 
     Args:
         columns: The columns in the order of the reference, the abscissae first.
