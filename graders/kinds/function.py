@@ -11,7 +11,7 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Grid, Index, Relation, Tree, names, walk
-from graders.profile.bracketed import Part, Span, Tried, constant_factor, linear_difference, tried
+from graders.profile.bracketed import Differences, Part, Span, Tried, differences, tried
 from graders.profile.echoes import echoed
 from graders.profile.ranges import Piece, Ranged, read_formula, read_ranges
 from graders.remarks import Remark, Remarks, Slip
@@ -59,35 +59,35 @@ class Function:
         from graders.equality import Finding
 
         beside = tried(answer, reference, Span(self.x, self.places))
-        found = beside.finding()
-        if found is Finding.EQUAL:
-            return RIGHT
-        if found is Finding.UNDECIDED:
-            return UNDECIDED
-        if found is Finding.UNDEFINED:
-            return wrong(Code.UNDEFINED)
-        if beside.finding(negated=True) is Finding.EQUAL:
-            return wrong(Code.OPPOSITE_SIGN)
-        return self._partly(beside)
+        match beside.finding:
+            case Finding.EQUAL:
+                return RIGHT
+            case Finding.UNDECIDED:
+                return UNDECIDED
+            case Finding.UNDEFINED:
+                return wrong(Code.UNDEFINED)
+            case Finding.DIFFERENT:
+                return self._partly(beside)
 
     def _partly(self, beside: Tried) -> Verdict:
         """Count the stretches that are right; the first one alone earns nothing."""
-        from graders.equality import Finding
-
-        right = [beside.finding(stretch) is Finding.EQUAL for stretch in range(beside.stretches)]
-        remarks = Remarks(sum(right), len(right), (self._remark(beside, right),))
+        seen = differences(beside)
+        if seen.opposite:
+            return wrong(Code.OPPOSITE_SIGN)
+        right = seen.right
+        remarks = Remarks(sum(right), len(right), (self._remark(beside, seen),))
         score = max(0.0, round((sum(right) - 1) / (len(right) - 1), 6)) if len(right) > 1 else 0.0
         return Verdict(score, Code.SOME_MARKS, remarks) if score else wrong(Code.NO_MARKS, remarks)
 
-    def _remark(self, beside: Tried, right: list[bool]) -> Remark:
+    def _remark(self, beside: Tried, seen: Differences) -> Remark:
         covering = {len(spot.parts) for spot in beside.spots}
         if covering != {1}:
             return Remark(Slip.NOT_COVERED if 0 in covering else Slip.COVERED_TWICE)
-        if any(right):
-            return self._where(right)
-        if constant_factor(beside):
+        if any(seen.right):
+            return self._where(seen.right)
+        if seen.scaled:
             return Remark(Slip.FACTOR)
-        if self.constants and linear_difference(beside):
+        if self.constants and seen.linear:
             return Remark(Slip.CONSTANT)
         return Remark(Slip.EVERYWHERE)
 
@@ -109,8 +109,8 @@ class Function:
         """Give texts that must be judged right, wrong and unreadable."""
         text, end = text_of(reference.tree), self.places[-1]
         halves = f"0 .. {end}/2: {text}\n{end}/2 .. {end}: {text}"
-        right = (text, f"2*({text})/2", f"{self.step} = {text}", f"0 .. {end}: {text}", halves)
-        off = (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})", f"0 .. {end}/2: {text}")
+        right = (text, f"{self.step} = 2*({text})/2", halves)
+        off = (f"-({text})", f"({text}) + 1e-9*({text})", f"0 .. {end}/2: {text}")
         return Samples(right, off, ("", f"({text}", "1 +", f"0 .. {end}", self.step))
 
     def echo(self, answer: tuple[Part, ...], comma: bool = False) -> Echo:
@@ -130,7 +130,7 @@ class Function:
         from graders.equality import Finding
 
         beside = tried((Part(None, None, one.tree),), other, Span(self.x, self.places))
-        return 0.0 if beside.finding() is Finding.EQUAL else float("inf")
+        return 0.0 if beside.finding is Finding.EQUAL else float("inf")
 
     def describe(self) -> Mapping[str, Any]:
         """Give the variable and its range."""

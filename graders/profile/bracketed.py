@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TypeAlias
 
 from graders.equality import Finding, compare
 from graders.judge import Formula, States
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
-from graders.language.tree import Call, Number, Tree, Unary, walk
+from graders.language.tree import Call, Number, Tree, walk
 
 STATES = 4
 MOST_CUTS = 16
@@ -68,25 +69,25 @@ class Tried:
         """The number of stretches between neighbouring places."""
         return max(spot.stretch for spot in self.spots) + 1
 
-    def finding(self, stretch: int | None = None, negated: bool = False) -> Finding:
-        """Compare on one stretch or on all, the typed function negated if asked."""
+    @property
+    def finding(self) -> Finding:
+        """Compare by balls at all spots."""
         groups: dict[int, list[tuple[float, ...]]] = defaultdict(list)
         for spot in self.spots:
-            if stretch is None or spot.stretch == stretch:
-                if len(spot.parts) != 1:
-                    return Finding.DIFFERENT
-                groups[spot.parts[0]].append(spot.point)
-        found = {self._group(part, points, negated) for part, points in groups.items()}
+            if len(spot.parts) != 1:
+                return Finding.DIFFERENT
+            groups[spot.parts[0]].append(spot.point)
+        found = {self._group(part, points) for part, points in groups.items()}
         order = (Finding.DIFFERENT, Finding.UNDEFINED, Finding.UNDECIDED)
         return next((worse for worse in order if worse in found), Finding.EQUAL)
 
-    def _group(self, part: int, points: Sequence[tuple[float, ...]], negated: bool) -> Finding:
-        body, states = self.parts[part].body, self.reference.states
+    def _group(self, part: int, points: Sequence[tuple[float, ...]]) -> Finding:
+        states = self.reference.states
         held = Formula(self.reference.tree, States(states.names, tuple(points), states.lines))
-        return compare(Unary("-", body) if negated else body, held).finding
+        return compare(self.parts[part].body, held).finding
 
     def ordinates(self) -> Iterator[tuple[Spot, float, float]]:
-        """Give the typed and the true value in doubles at the spots where both exist."""
+        """Give the typed and the true value in doubles; no number where nothing, or more than one thing, is typed."""
         trees = [self.reference.tree, *(part.body for part in self.parts)]
         runner = _runner(self.reference.states, trees)
         for spot in self.spots:
@@ -94,8 +95,7 @@ class Tried:
                 true, *typed = run(runner, list(spot.point))
             except UndefinedError:
                 continue
-            if len(spot.parts) == 1:
-                yield spot, typed[spot.parts[0]], true
+            yield spot, typed[spot.parts[0]] if len(spot.parts) == 1 else math.nan, true
 
 
 def tried(parts: Sequence[Part], reference: Formula, span: Span) -> Tried:
@@ -154,7 +154,7 @@ def _spots(
     for start, end in pairwise([0.0, *sorted(inner), places[-1]]):
         if end - start < SLIVER * places[-1]:
             continue
-        for turn in (1, 2):
+        for turn in (1, 2) if start == 0 else (1,):
             x = start + (end - start) * (0.1 + 0.8 * ((number + turn * 3) * GOLDEN % 1.0))
             holding = tuple(i for i, (low, high) in enumerate(ranges) if low < x < high)
             stretch = sum(place < x for place in places[:-1])
@@ -183,29 +183,61 @@ def _roots(state: tuple[float, ...], at: int, runner: Runner, length: float) -> 
             yield length * low / (low - high)
 
 
-def constant_factor(tried_: Tried) -> bool:
-    """Tell whether the typed function is a constant multiple of the true one at each state."""
-    return _each_state(tried_, lambda ordinates: _same([typed / true for _, typed, true in ordinates if true]))
+Ordinates: TypeAlias = Sequence[tuple[Spot, float, float]]
 
 
-def linear_difference(tried_: Tried) -> bool:
-    """Tell whether at each state the two functions differ by a constant or a linear term."""
-    at = tried_.reference.states.names.index(tried_.span.x)
-    return _each_state(tried_, lambda ordinates: _straight(at, ordinates))
+@dataclass(frozen=True, slots=True)
+class Differences:
+    """How a function that is not the true one differs from it: seen in doubles, for explanation and credit only."""
+
+    stretches: int
+    x: int  # number of the variable in a point
+    found: Ordinates
+
+    @property
+    def right(self) -> list[bool]:
+        """Tell of each stretch whether both agree on it; nowhere where doubles see no difference at all."""
+        off = {spot.stretch for spot, typed, true in self.found if abs(typed - true) > EXACT * (abs(typed) + abs(true))}
+        held = {spot.stretch for spot, *_ in self.found} - self._left_out()
+        right = [stretch in held and stretch not in off for stretch in range(self.stretches)]
+        return right if not all(right) else [False] * self.stretches
+
+    def _left_out(self) -> set[int]:
+        return {spot.stretch for spot, typed, _ in self.found if math.isnan(typed)}
+
+    @property
+    def opposite(self) -> bool:
+        """Tell whether the typed function is the negative of the true one."""
+        return all(abs(typed + true) <= EXACT * abs(true) for _, typed, true in self.found) and bool(self.found)
+
+    @property
+    def scaled(self) -> bool:
+        """Tell whether the typed function is a constant multiple of the true one at each state."""
+        return self._each_state(_proportional)
+
+    @property
+    def linear(self) -> bool:
+        """Tell whether at each state the two functions differ by a constant or a linear term."""
+        return self._each_state(lambda group: _straight(self.x, group))
+
+    def _each_state(self, holds: Callable[[Ordinates], bool]) -> bool:
+        groups: dict[int, list[tuple[Spot, float, float]]] = defaultdict(list)
+        for spot, typed, true in self.found:
+            groups[spot.state].append((spot, typed, true))
+        return bool(groups) and all(len(group) > 2 and holds(group) for group in groups.values())
 
 
-def _each_state(tried_: Tried, holds: Callable[[list[tuple[Spot, float, float]]], bool]) -> bool:
-    groups: dict[int, list[tuple[Spot, float, float]]] = defaultdict(list)
-    for spot, typed, true in tried_.ordinates():
-        groups[spot.state].append((spot, typed, true))
-    return bool(groups) and all(len(group) > 2 and holds(group) for group in groups.values())
+def differences(tried_: Tried) -> Differences:
+    """See in doubles how a typed function differs from the true one."""
+    return Differences(tried_.stretches, tried_.reference.states.names.index(tried_.span.x), tuple(tried_.ordinates()))
 
 
-def _same(ratios: Sequence[float]) -> bool:
+def _proportional(ordinates: Ordinates) -> bool:
+    ratios = [typed / true for _, typed, true in ordinates if true]
     return len(ratios) > 2 and max(ratios) - min(ratios) <= EXACT * max(map(abs, ratios)) and min(map(abs, ratios)) > 0
 
 
-def _straight(at: int, ordinates: Iterable[tuple[Spot, float, float]]) -> bool:
+def _straight(at: int, ordinates: Ordinates) -> bool:
     spots = [(spot.point[at], typed - true, abs(typed) + abs(true)) for spot, typed, true in ordinates]
     (x1, d1, _), (x2, d2, _) = spots[0], spots[-1]
     scale = max(size for _, _, size in spots)
