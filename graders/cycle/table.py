@@ -70,11 +70,11 @@ def read_table(text: str, columns: Sequence[Column], abscissae: int) -> Table:
     """
     if len(text) > LARGEST:
         raise AnswerSyntaxError(Reason.TOO_LONG, LARGEST)
-    if not text.strip():
+    plain = text.translate(SPELLED)
+    if not plain.strip():
         raise AnswerSyntaxError(Reason.EMPTY, 0)
     if text.lstrip()[:1] in "{[":
         return _table(*_json(text), columns, abscissae)
-    plain = text.translate(SPELLED)
     first = plain.lstrip().partition("\n")[0]
     separator = _separator(first)
     named = not _is_number(first.split(separator)[0], separator)
@@ -111,7 +111,7 @@ def _numbers(plain: str, start: int, separator: str | None) -> Columns:
     if end < len(plain):
         raise AnswerSyntaxError(Reason.NOT_A_TABLE, end, plain[end : end + 12].strip())
     body = plain[start:] if separator == "," else plain[start:].replace(",", ".")
-    lines = [bare for line in body.split("\n") if (bare := line.strip(f"{separator or ''} "))]
+    lines = [bare for line in body.split("\n") if (bare := line.strip(f"{separator or ''} \t"))]
     if len(lines) > MOST_ROWS:
         raise AnswerSyntaxError(Reason.TOO_LONG, start)
     if not lines:

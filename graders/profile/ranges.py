@@ -95,7 +95,7 @@ def read_ranges(text: str, most: int = MOST) -> list[Ranged]:
         raise AnswerSyntaxError(Reason.TOO_LONG, pieces[most].place)
     if len(pieces) == 1 and _colon(pieces[0]) is None and not DOTS.search(pieces[0].text):
         return [Ranged(None, None, unnamed(pieces[0]))]
-    if FRONT.fullmatch(pieces[0].text) and _colon(pieces[0]) is None:  # `M =` on a line of its own
+    if len(pieces) > 1 and FRONT.fullmatch(pieces[0].text) and _colon(pieces[0]) is None:  # `M =` on a line of its own
         pieces = pieces[1:]
     return [_ranged(piece) for piece in pieces]
 

@@ -224,7 +224,9 @@ def test_several_cycles_and_rows_in_any_order_are_one_cycle() -> None:
     ("text", "reason"),
     [
         ("", Reason.EMPTY),
+        ("\ufeff", Reason.EMPTY),
         ("abc", Reason.NOT_A_TABLE),
+        ("sin(\n\t", Reason.NOT_A_TABLE),
         ("t;x;v;a", Reason.NOT_A_TABLE),
         ("1;2", Reason.NOT_A_TABLE),
         ("t;x;v;a\n1;2;3;nan", Reason.NOT_A_TABLE),
