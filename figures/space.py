@@ -69,7 +69,17 @@ def cylinder(centre: Vector, along: Vector, length: float, radius: float) -> tup
     """A revolute joint: a cylinder about its axis, the end turned to the eye drawn last."""
     side = Z if hypot(along[0], along[1]) > 0.5 else X
     other = cross(along, side)
-    rim = [plus((0.0, 0.0, 0.0), (radius, turn(side, other, 2 * pi * i / 32))) for i in range(32)]
+    return _bar(centre, along, length, [(radius, turn(side, other, 2 * pi * i / 32)) for i in range(32)])
+
+
+def sleeve(centre: Vector, along: Vector, level: Vector, length: float, width: float) -> tuple[Piece, ...]:
+    """A prismatic joint: a square block along its guide, one edge level, the end turned to the eye drawn last."""
+    corners = (turn(level, cross(along, level), pi / 4 + pi / 2 * i) for i in range(4))
+    return _bar(centre, along, length, [(width / 2**0.5, corner) for corner in corners])
+
+
+def _bar(centre: Vector, along: Vector, length: float, section: list[tuple[float, Vector]]) -> tuple[Piece, ...]:
+    rim = [plus((0.0, 0.0, 0.0), point) for point in section]
     half = length / 2 if dot(along, EYE) > 0 else -length / 2
     near, far = plus(centre, (half, along)), plus(centre, (-half, along))
     cap = [seen(plus(near, (1, point))) for point in rim]
