@@ -66,11 +66,13 @@ class Entry:
     folder: Path
 
     def picture(self, givens: Any, lang: str) -> Picture | None:
-        """Draw the figure of a variant, if it has one, as the exercise says or by the folder's `figure.py`."""
-        draw = self.exercise.figure
-        if draw is None and (self.folder / "figure.py").is_file():
-            draw = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure
-        return draw(givens, self.words[lang]["figure"], lang) if draw else None
+        """Draw the figure of a variant by the function `figure` in the folder's `figure.py`, if there is one."""
+        if not (self.folder / "figure.py").is_file():
+            return None
+        drawn: Picture = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure(
+            givens, self.words[lang]["figure"], lang
+        )
+        return drawn
 
 
 @lru_cache(maxsize=1)

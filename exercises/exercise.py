@@ -11,7 +11,7 @@ from exercises.givens import each, given, option
 from graders import Grader, States, Value, Verdict
 
 if TYPE_CHECKING:
-    from figures.picture import Picture
+    pass
 
 Values: TypeAlias = Mapping[str, Value]
 Line: TypeAlias = str | Callable[..., Value]
@@ -47,7 +47,7 @@ class Exercise(Generic[G]):
 
     An answer whose judge needs more than the value or the formula of a step (the true states of a mechanism, the pose
     of a chain) names in `references` a function of the givens, the solved values and the drawn states that makes it.
-    Without a `figure`, the function of that name in the folder's `figure.py` is imported when it is first drawn.
+    The function `figure` in the folder's `figure.py` is imported when the variant is first drawn.
     """
 
     systems: tuple[str, ...]
@@ -57,7 +57,6 @@ class Exercise(Generic[G]):
     oracle: Callable[[G], Values]
     answers: Answers | Callable[[G], Answers]
     mistakes: Mapping[str, Mistake[G]]
-    figure: Callable[[G, Mapping[str, str], str], Picture] | None = None
     references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
     version: int = 1
     minutes: int = 20

@@ -20,8 +20,6 @@ LONG = {
     "samples": 8,
     "diagram": 6,
     "text": 6,
-    "dh_table": 5,
-    "system": 4,
     "rates": 3,
     "function": 3,
 }  # lines

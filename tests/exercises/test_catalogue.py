@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,25 +9,13 @@ import pytest
 
 from exercises import catalogue
 from exercises.variants import deal
-from figures.picture import Picture, Table
 
 SLIDER = "slider_crank"
-OTHER = Picture("<svg/>", Table((), ()))
-
-
-def other(givens: object, words: Mapping[str, str], lang: str) -> Picture:
-    return OTHER
 
 
 def test_the_figure_is_the_function_of_that_name_in_the_folder() -> None:
     picture = catalogue.load(SLIDER).picture(deal(SLIDER, 1).givens, "pl")
     assert picture is not None and picture.svg.startswith("<svg")
-
-
-def test_a_figure_that_the_exercise_names_rules_over_that_of_the_folder() -> None:
-    entry = catalogue.load(SLIDER)
-    named = replace(entry, exercise=replace(entry.exercise, figure=other))
-    assert named.picture(deal(SLIDER, 1).givens, "pl") is OTHER
 
 
 def test_a_folder_without_a_figure_has_none(tmp_path: Path) -> None:

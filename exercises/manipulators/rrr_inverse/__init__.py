@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from math import cos, pi, radians, remainder
 
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given
-from exercises.manipulators.rrr_inverse.figure import figure
 from graders import Integer, Quantity, Set
 from mechanics import rod_groups
 
@@ -104,6 +103,5 @@ EXERCISE = Exercise(
         "correction_sign": Mistake(beta="atan2(-L3*sin(theta3); L2 + L3*c3)"),
         "lost_quadrant": Mistake(lost_quadrant),
     },
-    figure=figure,
     minutes=40,
 )

@@ -1,0 +1,17 @@
+"""The processor time of a call: other work on the machine does not count."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+
+def effort(call: Callable[[], object], tries: int = 3) -> float:
+    """Give the least processor time of several calls, in seconds."""
+    return min(_once(call) for _ in range(tries))
+
+
+def _once(call: Callable[[], object]) -> float:
+    start = time.process_time()
+    call()
+    return time.process_time() - start
