@@ -62,6 +62,11 @@ class Correction:
     m: float  # kg
     angle: float  # rad, in (-pi, pi]
 
+    @property
+    def unbalance(self) -> complex:
+        """D = m r as a vector, kg m."""
+        return rect(self.mr, self.angle)
+
 
 @dataclass(frozen=True, slots=True)
 class Balance:
