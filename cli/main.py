@@ -18,6 +18,7 @@ COMMANDS = {
     "catalogue": "list the exercises",
     "draw": "show the variant of a seed",
     "grade": "grade files of answers",
+    "solve": "answer requests to a reference solver",
     "verify": "check that exercises may be published",
     "new": "start a new exercise from a template",
     "migrate": "bring the store to the tables of this version",

@@ -44,13 +44,14 @@ class Failure(BaseModel):
 
 
 class Refused(HTTPException):
-    """A request that is answered with an error; `values` stand in its sentence."""
+    """A request that is answered with an error; `values` stand in its sentence, unless `said` is the sentence."""
 
     def __init__(
         self, status: int, code: str, *, field: str | None = None, position: int | None = None,
-        opens: str | None = None, headers: Mapping[str, str] | None = None, **values: object,
+        opens: str | None = None, headers: Mapping[str, str] | None = None, said: str | None = None, **values: object,
     ) -> None:  # fmt: skip
         super().__init__(status, code, dict(headers or {}))
+        self.said = said
         self.code, self.field, self.position, self.opens, self.values = code, field, position, opens, values
 
 
@@ -104,7 +105,7 @@ def respond(request: Request, error: Refused) -> Response:
     spoken = language.of(request)
     problem = Problem(
         code=error.code,
-        message=language.say(spoken, f"errors.{error.code}", **error.values),
+        message=error.said or language.say(spoken, f"errors.{error.code}", **error.values),
         field=error.field,
         position=error.position,
         opens=error.opens,

@@ -31,6 +31,8 @@ POLICIES: dict[tuple[str, str], Role] = {
     ("POST", "/api/v1/variants/{variant}/submissions"): Role.ANONYMOUS,
     ("GET", "/api/v1/variants/{variant}/solution"): Role.ANONYMOUS,
     ("GET", "/api/v1/submissions/{receipt}"): Role.ANONYMOUS,
+    ("GET", "/api/v1/solvers"): Role.ANONYMOUS,
+    ("POST", "/api/v1/solve/{solver}"): Role.LECTURER,
     ("GET", "/"): Role.ANONYMOUS,
     ("GET", "/exercises/{exercise}"): Role.ANONYMOUS,
     ("POST", "/exercises/{exercise}"): Role.ANONYMOUS,

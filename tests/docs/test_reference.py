@@ -9,7 +9,7 @@ import pytest
 
 from cli.reading import LARGEST, LONGEST
 from graders import Outcome
-from tests.docs import api_reference, command_reference, language_reference
+from tests.docs import api_reference, command_reference, language_reference, solver_reference
 
 DOCS = api_reference.ROOT / "docs"
 
@@ -20,8 +20,9 @@ DOCS = api_reference.ROOT / "docs"
         (api_reference.PAGE, api_reference.page),
         (command_reference.PAGE, command_reference.page),
         (language_reference.PAGE, language_reference.page),
+        (solver_reference.PAGE, solver_reference.page),
     ],
-    ids=["api", "commands", "language"],
+    ids=["api", "commands", "language", "solvers"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
