@@ -35,3 +35,13 @@ def place(name: str, x: float, length: float) -> None:
     """
     if not 0 <= x <= length:
         raise ValueError(f"{name} at x = {x} m must lie on the member, 0 .. {length} m")
+
+
+def count(name: str, value: int) -> None:
+    """Refuse what is no whole positive number (teeth, starts, stages).
+
+    Raises:
+        ValueError: The value is not an integer, or below 1.
+    """
+    if not isinstance(value, int) or value < 1:
+        raise ValueError(f"{name} = {value} must be a whole positive number")

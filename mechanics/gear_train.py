@@ -6,25 +6,24 @@ Angular velocities in rad/s about one axis direction, counter-clockwise positive
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain
-from math import isfinite, pi
-from typing import Literal, get_args
+from math import isfinite
+from typing import get_args
 
 from mechanics import linear
-from mechanics.checks import positive
+from mechanics.bevel_differential import Differential
+from mechanics.checks import count
 from mechanics.errors import TrainError
+from mechanics.gear_pair import MeshType
+from mechanics.rack import Rack
+from mechanics.screw import Screw
+from mechanics.worm import Worm
 
-MeshType = Literal["external", "internal"]
-Hand = Literal["right", "left"]
-Equation = tuple[str, list[int]]
-
-
-def _check_count(name: str, value: int) -> None:
-    if not isinstance(value, int) or value < 1:
-        raise ValueError(f"{name} = {value} must be a whole positive number")
+Equation = list[int]
+REST = Fraction(0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,59 +38,16 @@ class Mesh:
     def __post_init__(self) -> None:
         if self.type not in get_args(MeshType):
             raise ValueError(f"mesh type {self.type!r} of {self.a} and {self.b} must be external or internal")
-        _check_count(f"za of the mesh {self.a}-{self.b}", self.za)
-        _check_count(f"zb of the mesh {self.a}-{self.b}", self.zb)
+        count(f"za of the mesh {self.a}-{self.b}", self.za)
+        count(f"zb of the mesh {self.a}-{self.b}", self.zb)
         if len({self.a, self.b, self.carrier}) < 3:
             raise ValueError(f"the mesh {self.a}-{self.b} on {self.carrier} names a member twice")
 
-
-@dataclass(frozen=True, slots=True)
-class Differential:
-    """A symmetric bevel differential: omega_left + omega_right = 2 omega_carrier."""
-
-    left: str
-    right: str
-    carrier: str
-
-    def __post_init__(self) -> None:
-        if len({self.left, self.right, self.carrier}) < 3:
-            raise ValueError(f"the differential {self.left}-{self.right} on {self.carrier} names a member twice")
-
-
-@dataclass(frozen=True, slots=True)
-class Rack:
-    pinion_on: str
-    pinion_z: int
-    module_mm: float  # mm
-
-    def __post_init__(self) -> None:
-        _check_count("pinion_z", self.pinion_z)
-        positive("module_mm", self.module_mm, "mm")
-
-
-@dataclass(frozen=True, slots=True)
-class Screw:
-    on: str
-    pitch: float  # m
-    starts: int = 1
-    hand: Hand = "right"
-
-    def __post_init__(self) -> None:
-        positive("pitch", self.pitch, "m")
-        _check_count("starts", self.starts)
-        if self.hand not in get_args(Hand):
-            raise ValueError(f"hand {self.hand!r} must be right or left")
-
-
-@dataclass(frozen=True, slots=True)
-class Worm:
-    on: str
-    worm_starts: int
-    wheel_z: int
-
-    def __post_init__(self) -> None:
-        _check_count("worm_starts", self.worm_starts)
-        _check_count("wheel_z", self.wheel_z)
+    def terms(self) -> tuple[tuple[str, int], ...]:
+        """Members and their multiples in Willis's equation of the mesh, whose sum is zero."""
+        driven = -self.zb if self.type == "internal" else self.zb
+        wheels = (self.a, self.za), (self.b, driven)
+        return wheels if self.carrier is None else (*wheels, (self.carrier, -self.za - driven))
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,47 +142,45 @@ def solve(train: Train) -> Speeds:
     Source:
         Domain TR-1 to TR-6; Willis's equation for each mesh.
     """
-    column = {member: i for i, member in enumerate(train.members)}
-    basis: dict[int, list[int]] = {}
-    for name, equation in chain(_couplings(train, column), _inputs(train, column)):
-        if not linear.extend(basis, equation):
-            raise TrainError(f"{name} contradicts the meshes, fixed members and inputs before it")
-    found = {member: linear.determined(basis, i) for member, i in column.items()}
-    free = [member for member, speed in found.items() if speed is None]
-    if free:
-        raise TrainError(f"the motion of {', '.join(free)} is not determined: too few fixed members or inputs")
-    omega = {member: speed for member, speed in found.items() if speed is not None}
+    column = {member: i for i, member in enumerate(m for m in train.members if m not in train.fixed)}
+    basis: dict[int, Equation] = {}
+    for terms in chain((m.terms() for m in train.meshes), (d.terms() for d in train.differentials)):
+        linear.extend(basis, _equation(terms, column))  # never contradicts: all members at rest meet them
+    for member, speed in train.input_omega.items():
+        value = _exact(speed)
+        if not linear.extend(basis, _equation(((member, value.denominator),), column, value.numerator)):
+            forced = linear.determined(basis, column[member]) if member in column else REST
+            raise TrainError(
+                f"the input omega of {member} = {speed:g} rad/s contradicts the meshes, fixed members and inputs "
+                f"before it, which make it {forced} rad/s"
+            )
+    omega = _read(train, column, basis)
     return Speeds(omega, _ratio(train, omega), _slide(train, omega))
 
 
-def _couplings(train: Train, column: Mapping[str, int]) -> Iterator[Equation]:
-    for mesh in train.meshes:
-        equation = [0] * (len(column) + 1)
-        driven = -mesh.zb if mesh.type == "internal" else mesh.zb
-        equation[column[mesh.a]] = mesh.za
-        equation[column[mesh.b]] = driven
-        if mesh.carrier is not None:
-            equation[column[mesh.carrier]] = -mesh.za - driven
-        yield f"the mesh {mesh.a}-{mesh.b}", equation
-    for joint in train.differentials:
-        equation = [0] * (len(column) + 1)
-        equation[column[joint.left]] = equation[column[joint.right]] = 1
-        equation[column[joint.carrier]] = -2
-        yield f"the differential {joint.left}-{joint.right}", equation
-
-
-def _inputs(train: Train, column: Mapping[str, int]) -> Iterator[Equation]:
-    for member in train.fixed:
-        yield f"fixed {member}", _speed_equation(column, member, Fraction(0))
-    for member, speed in train.input_omega.items():
-        yield f"the input omega of {member} = {speed:g} rad/s", _speed_equation(column, member, _exact(speed))
-
-
-def _speed_equation(column: Mapping[str, int], member: str, speed: Fraction) -> list[int]:
-    equation = [0] * (len(column) + 1)
-    equation[column[member]] = speed.denominator
-    equation[-1] = speed.numerator
+def _equation(terms: Iterable[tuple[str, int]], column: Mapping[str, int], right: int = 0) -> Equation:
+    """Write a sum of multiples of angular velocities; those of fixed members are zero and have no column."""
+    equation = [0] * len(column) + [right]
+    for member, coefficient in terms:
+        if member in column:
+            equation[column[member]] += coefficient
     return equation
+
+
+def _read(train: Train, column: Mapping[str, int], basis: dict[int, Equation]) -> dict[str, Fraction]:
+    omega, free = {}, []
+    for member in train.members:
+        speed = linear.determined(basis, column[member]) if member in column else REST
+        if speed is None:
+            free.append(member)
+        else:
+            omega[member] = speed
+    if free:
+        missing = len(column) - len(basis)
+        raise TrainError(
+            f"the motion of {', '.join(free)} is not determined: too few fixed members or inputs ({missing} missing)"
+        )
+    return omega
 
 
 def _exact(value: float) -> Fraction:
@@ -235,12 +189,11 @@ def _exact(value: float) -> Fraction:
 
 def _ratio(train: Train, omega: Mapping[str, Fraction]) -> Ratio | None:
     first = next((member for member, speed in train.input_omega.items() if speed), None)
-    of = f"omega_{first}/omega_{train.output}"
     if first is None or train.output is None:
         return None
+    of = f"omega_{first}/omega_{train.output}"
     if train.worm is not None and train.output == "wheel":
-        worm = train.worm
-        turns = abs(omega[worm.on]) * worm.worm_starts / worm.wheel_z
+        turns = abs(omega[train.worm.on]) / train.worm.ratio
         return Ratio(of, abs(omega[first]) / turns) if turns else None
     speed = omega.get(train.output)
     return Ratio(of, omega[first] / speed) if speed else None
@@ -248,9 +201,7 @@ def _ratio(train: Train, omega: Mapping[str, Fraction]) -> Ratio | None:
 
 def _slide(train: Train, omega: Mapping[str, Fraction]) -> float | None:
     if train.rack is not None and train.output == "rack":
-        radius = train.rack.module_mm * train.rack.pinion_z / 2000  # m
-        return float(omega[train.rack.pinion_on]) * radius
+        return train.rack.speed(float(omega[train.rack.pinion_on]))
     if train.screw is not None and train.output == "nut":
-        lead = train.screw.pitch * train.screw.starts
-        return (-lead if train.screw.hand == "right" else lead) * float(omega[train.screw.on]) / (2 * pi)
+        return train.screw.speed(float(omega[train.screw.on]))
     return None

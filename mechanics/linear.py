@@ -113,6 +113,6 @@ def _combined(row: list[int], other: list[int], column: int) -> list[int]:
 def determined(basis: dict[int, list[int]], column: int) -> Fraction | None:
     """Read one unknown of an exact reduced system; None while it is still free."""
     row = basis.get(column)
-    if row is None or any(entry for i, entry in enumerate(row[:-1]) if i != column):
+    if row is None or row.count(0) - (not row[-1]) < len(row) - 2:  # more than one unknown
         return None
     return Fraction(row[-1], row[column])

@@ -1,7 +1,7 @@
 """Gear ratios by rolling pitch circles and by inversion: the independent way to check a gear train.
 
-No equations are solved: a pitch-point speed is passed from wheel to wheel (domain TR-3, TR-4), and an epicyclic train
-is first seen from its carrier (Willis; TR-5, TR-6). Ratios are exact, + for the same sense of rotation.
+No equations are solved: turns are passed from wheel to wheel over pitch points (domain TR-3, TR-4), and an epicyclic
+train is first seen from its carrier (Willis; TR-5, TR-6). Ratios are exact, + for the same sense of rotation.
 """
 
 from __future__ import annotations
@@ -50,12 +50,20 @@ def fixed_axis_ratio(stages: Sequence[Stage]) -> Fraction:
     Source:
         Domain TR-3, TR-4.
     """
-    omega = Fraction(1)
+    first, last = _turns(stages)
+    return Fraction(first, last)
+
+
+def _turns(stages: Sequence[Stage]) -> tuple[int, int]:
+    """Give whole numbers in the proportion of the turns of the first and the last shaft.
+
+    A pitch circle has the radius z/2 for the module 1, so wheels that roll make turns z_driven and z_driving.
+    """
+    first = last = 1
     for stage in stages:
-        pitch_point_speed = omega * Fraction(stage.driving_z, 2)
-        turn = pitch_point_speed / Fraction(stage.driven_z, 2)
-        omega = turn if stage.type == "internal" else -turn  # the point lies between the axes, or outside both
-    return 1 / omega
+        first *= stage.driven_z
+        last *= stage.driving_z if stage.type == "internal" else -stage.driving_z  # the point lies between the axes
+    return first, last
 
 
 def planetary_ratio(stages: Sequence[Stage], fixed: Literal["first", "last"]) -> Fraction:
@@ -71,8 +79,8 @@ def planetary_ratio(stages: Sequence[Stage], fixed: Literal["first", "last"]) ->
     Source:
         Domain TR-5.
     """
-    seen = fixed_axis_ratio(stages)
-    return 1 - seen if fixed == "last" else 1 - 1 / seen
+    first, last = _turns(stages)  # as seen from the carrier
+    return Fraction(last - first, last) if fixed == "last" else Fraction(first - last, first)
 
 
 def third_speed(

@@ -11,9 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics import gear_train, willis
+from mechanics.bevel_differential import Differential
 from mechanics.errors import TrainError
-from mechanics.gear_train import Differential, Mesh, MeshType, Rack, Screw, Train, Worm
+from mechanics.gear_pair import MeshType
+from mechanics.gear_train import Mesh, Train
+from mechanics.rack import Rack
+from mechanics.screw import Hand, Screw
 from mechanics.willis import Stage
+from mechanics.worm import Worm
 
 quick = settings(max_examples=40, deadline=None)
 
@@ -143,7 +148,7 @@ def test_published_rack_holds() -> None:
 
 
 @pytest.mark.parametrize(("hand", "sense"), [("right", -1), ("left", 1)])
-def test_published_screw_holds(hand: gear_train.Hand, sense: int) -> None:
+def test_published_screw_holds(hand: Hand, sense: int) -> None:
     train = Train(("1",), input_omega={"1": 25}, output="nut", screw=Screw("1", 0.004, 2, hand))
     assert gear_train.solve(train).v == pytest.approx(sense * 0.03183098862)  # TR-2
     travel = gear_train.solve(replace(train, input_omega={"1": 10})).v
