@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import acos, fsum, inf, pi, sqrt
+from math import acos, fsum, pi, sqrt
 
 from mechanics.checks import finite, positive
 
@@ -172,7 +172,7 @@ class Composed:
     def neutral_width(self) -> float:
         """Width of the material at the neutral axis, at an edge that of the narrower side, m."""
         step = _EDGE * (self.top + self.bottom)
-        return min((self.width(self.centroid + side * step) for side in (-1, 0, 1)), default=inf)
+        return min(self.width(self.centroid - step), self.width(self.centroid + step))
 
 
 def _sign(part: Part) -> int:
