@@ -9,13 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import cos, sin
 
-from mechanics.checks import finite
 from mechanics.dh import Convention, Matrix, Row, Vector, check_variables
+from mechanics.links import REST, LinkMotion, next_motion
+from mechanics.vectors import ZERO, add, check_vector, scaled, subtract
 
 # x, y, z axes and origin of a frame, component by component: the first three rows of T, column after column.
 Frame = tuple[float, float, float, float, float, float, float, float, float, float, float, float]
 
-ZERO: Vector = (0.0, 0.0, 0.0)
 BASE: Frame = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -78,7 +78,7 @@ def pose(chain: Chain, q: Sequence[float]) -> Matrix:
     Raises:
         ValueError: The number of variables is not that of the joints.
     """
-    return _matrix(_frames(chain, q)[-1])
+    return _matrix(frames(chain, q)[-1])
 
 
 def _matrix(frame: Frame) -> Matrix:
@@ -86,50 +86,132 @@ def _matrix(frame: Frame) -> Matrix:
     return (xx, yx, zx, px), (xy, yy, zy, py), (xz, yz, zz, pz), (0.0, 0.0, 0.0, 1.0)
 
 
-def _frames(chain: Chain, q: Sequence[float]) -> list[Frame]:
+def frames(chain: Chain, q: Sequence[float]) -> list[Frame]:
+    """Find the frame of every link, axes and origin in base axes; arguments and errors as for `pose`."""
     if len(q) != len(chain.rows):
         raise ValueError(f"q has {len(q)} values for {len(chain.rows)} joints")
     return _standard_frames(chain, q) if chain.convention == "standard" else _modified_frames(chain, q)
 
 
 def _standard_frames(chain: Chain, q: Sequence[float]) -> list[Frame]:
-    """T_i = T_(i-1) A_i with A_i of `pair_matrix`, written out by components: this is the inner loop of all."""
+    """Turn the axes x, y about z, shift, turn y, z about x; written out by components: the inner loop of all."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz = BASE
-    frames = []
+    found = []
     for (revolute, theta, d, a, ca, sa, sign), variable in zip(chain._constants, q, strict=True):
         if revolute:
             theta += sign * variable
         else:
             d += sign * variable
         c, s = cos(theta), sin(theta)
-        sca, cca, ssa, csa = s * ca, c * ca, s * sa, c * sa
-        nx, ny, nz = c * xx + s * yx, c * xy + s * yy, c * xz + s * yz
-        px, py, pz = px + a * nx + d * zx, py + a * ny + d * zy, pz + a * nz + d * zz
-        mx, my, mz = cca * yx - sca * xx + sa * zx, cca * yy - sca * xy + sa * zy, cca * yz - sca * xz + sa * zz
-        zx, zy, zz = ssa * xx - csa * yx + ca * zx, ssa * xy - csa * yy + ca * zy, ssa * xz - csa * yz + ca * zz
-        xx, xy, xz, yx, yy, yz = nx, ny, nz, mx, my, mz
-        frames.append((xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz))
-    return frames
+        px, py, pz = px + d * zx, py + d * zy, pz + d * zz
+        xx, yx = c * xx + s * yx, c * yx - s * xx
+        xy, yy = c * xy + s * yy, c * yy - s * xy
+        xz, yz = c * xz + s * yz, c * yz - s * xz
+        px, py, pz = px + a * xx, py + a * xy, pz + a * xz
+        yx, zx = ca * yx + sa * zx, ca * zx - sa * yx
+        yy, zy = ca * yy + sa * zy, ca * zy - sa * yy
+        yz, zz = ca * yz + sa * zz, ca * zz - sa * yz
+        found.append((xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz))
+    return found
 
 
 def _modified_frames(chain: Chain, q: Sequence[float]) -> list[Frame]:
+    """The same four motions, those about x first."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz = BASE
-    frames = []
+    found = []
     for (revolute, theta, d, a, ca, sa, sign), variable in zip(chain._constants, q, strict=True):
         if revolute:
             theta += sign * variable
         else:
             d += sign * variable
         c, s = cos(theta), sin(theta)
-        mx, my, mz = ca * yx + sa * zx, ca * yy + sa * zy, ca * yz + sa * zz
-        zx, zy, zz = ca * zx - sa * yx, ca * zy - sa * yy, ca * zz - sa * yz
-        px, py, pz = px + a * xx + d * zx, py + a * xy + d * zy, pz + a * xz + d * zz
-        xx, xy, xz, yx, yy, yz = (
-            c * xx + s * mx, c * xy + s * my, c * xz + s * mz,
-            c * mx - s * xx, c * my - s * xy, c * mz - s * xz,
-        )  # fmt: skip
-        frames.append((xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz))
-    return frames
+        px, py, pz = px + a * xx, py + a * xy, pz + a * xz
+        yx, zx = ca * yx + sa * zx, ca * zx - sa * yx
+        yy, zy = ca * yy + sa * zy, ca * zy - sa * yy
+        yz, zz = ca * yz + sa * zz, ca * zz - sa * yz
+        px, py, pz = px + d * zx, py + d * zy, pz + d * zz
+        xx, yx = c * xx + s * yx, c * yx - s * xx
+        xy, yy = c * xy + s * yy, c * yy - s * xy
+        xz, yz = c * xz + s * yz, c * yz - s * xz
+        found.append((xx, xy, xz, yx, yy, yz, zx, zy, zz, px, py, pz))
+    return found
+
+
+def jacobian(chain: Chain, q: Sequence[float]) -> Matrix:
+    """Write the Jacobian of the last origin in base axes, rows [v; omega], ``(6, n)``.
+
+    Args:
+        chain: The table.
+        q: Joint variables, ``(n,)``, radians or metres.
+
+    Raises:
+        ValueError: The number of variables is not that of the joints.
+
+    Source:
+        Columns [z x (O_n - O); z] of a turn and [z; 0] of a slide, O any point of the joint's axis.
+    """
+    return _jacobian(chain, frames(chain, q))
+
+
+def _jacobian(chain: Chain, found: Sequence[Frame]) -> Matrix:
+    ex, ey, ez = found[-1][9:]
+    columns = []
+    for (revolute, *_, sign), holder in zip(chain._constants, _holders(chain, found), strict=True):
+        zx, zy, zz, px, py, pz = holder[6:]
+        x, y, z = sign * zx, sign * zy, sign * zz
+        if revolute:
+            rx, ry, rz = ex - px, ey - py, ez - pz
+            columns.append((y * rz - z * ry, z * rx - x * rz, x * ry - y * rx, x, y, z))
+        else:
+            columns.append((x, y, z, 0.0, 0.0, 0.0))
+    return tuple(zip(*columns, strict=True))
+
+
+def _holders(chain: Chain, found: Sequence[Frame]) -> Sequence[Frame]:
+    """The frames whose z axis is the axis of each joint."""
+    return [BASE, *found[:-1]] if chain.convention == "standard" else found
+
+
+def joint_axes(chain: Chain, q: Sequence[float]) -> list[tuple[Vector, Vector]]:
+    """Find of each joint the unit vector along which its variable grows, and a point of its axis (m), in base axes."""
+    holders = _holders(chain, frames(chain, q))
+    return [(scaled(row.sign, at[6:9]), at[9:]) for row, at in zip(chain.rows, holders, strict=True)]
+
+
+def link_motions(
+    chain: Chain,
+    q: Sequence[float],
+    qd: Sequence[float],
+    qdd: Sequence[float],
+    base: LinkMotion = REST,
+) -> list[LinkMotion]:
+    """Find the motion of every link in base axes, from the first to the last (domain DH-8).
+
+    Args:
+        chain: The table, of n rows.
+        q: Joint variables, ``(n,)``, radians or metres.
+        qd: Their rates, ``(n,)``.
+        qdd: Their accelerations, ``(n,)``.
+        base: Motion of the base.
+
+    Raises:
+        ValueError: A vector has another length, or a value is not finite.
+    """
+    check_variables(chain.rows, chain.convention, q=q, qd=qd, qdd=qdd)
+    return _link_motions(chain, frames(chain, q), qd, qdd, base)
+
+
+def _link_motions(
+    chain: Chain, found: Sequence[Frame], qd: Sequence[float], qdd: Sequence[float], base: LinkMotion
+) -> list[LinkMotion]:
+    motions, motion, origin = [], base, ZERO
+    for i, (row, at, holder) in enumerate(zip(chain.rows, found, _holders(chain, found), strict=True)):
+        axis = scaled(row.sign, holder[6:9])
+        rate, acceleration = scaled(qd[i], axis), scaled(qdd[i], axis)
+        motion = next_motion(motion, row.type, chain.convention, subtract(at[9:], origin), rate, acceleration)
+        motions.append(motion)
+        origin = at[9:]
+    return motions
 
 
 def solve(
@@ -160,82 +242,22 @@ def solve(
     rates = tuple(qd) if qd is not None else (0.0,) * len(q)
     accelerations = tuple(qdd) if qdd is not None else (0.0,) * len(q)
     check_variables(chain.rows, chain.convention, q=q, qd=rates, qdd=accelerations)
-    _check_point(tool_point)
-    frames = _frames(chain, q)
-    omega, epsilon, v, a = _recursion(chain, frames, rates, accelerations)
-    arm = _rotated(frames[-1], tool_point)
+    check_vector("tool_point", tool_point, "m")
+    found = frames(chain, q)
+    last = _link_motions(chain, found, rates, accelerations, REST)[-1]
+    arm = turned(found[-1], tool_point)
+    v, a = last.point(arm)
     return ChainMotion(
-        T=_matrix(frames[-1]),
-        J=_jacobian(chain, frames),
-        p=_add(frames[-1][9:], arm),
-        v=_add(v, _cross(omega, arm)),
-        a=_add(a, _carried(omega, epsilon, arm)),
-        omega=omega,
-        epsilon=epsilon,
+        T=_matrix(found[-1]),
+        J=_jacobian(chain, found),
+        p=add(found[-1][9:], arm),
+        v=v,
+        a=a,
+        omega=last.omega,
+        epsilon=last.epsilon,
     )
 
 
-def _check_point(point: Vector) -> None:
-    if len(point) != 3:
-        raise ValueError(f"tool_point has {len(point)} coordinates, not 3")
-    for value in point:
-        finite("tool_point coordinate", value, "m")
-
-
-def _recursion(
-    chain: Chain, frames: Sequence[Frame], rates: Sequence[float], accelerations: Sequence[float]
-) -> tuple[Vector, Vector, Vector, Vector]:
-    """omega, epsilon of the last link, v, a of the last origin."""
-    omega, epsilon, v, a = ZERO, ZERO, ZERO, ZERO
-    standard = chain.convention == "standard"
-    for i, row in enumerate(chain.rows):
-        before = frames[i - 1] if i else BASE
-        axis = before[6:9] if standard else frames[i][6:9]
-        turn, turn_rate = _scale(row.sign * rates[i], axis), _scale(row.sign * accelerations[i], axis)
-        shift = _subtract(frames[i][9:], before[9:])
-        carrier = omega, epsilon  # of the link that holds the shift: the one before, or already this one
-        if row.type == "R":
-            omega, epsilon = _add(omega, turn), _add(epsilon, _add(turn_rate, _cross(omega, turn)))
-        if standard:
-            carrier = omega, epsilon
-        v = _add(v, _cross(carrier[0], shift))
-        a = _add(a, _carried(*carrier, shift))
-        if row.type == "P":
-            v = _add(v, turn)
-            a = _add(a, _add(turn_rate, _scale(2, _cross(omega, turn))))
-    return omega, epsilon, v, a
-
-
-def _jacobian(chain: Chain, frames: Sequence[Frame]) -> Matrix:
-    """Columns [z x (O_n - O); z] of a turn and [z; 0] of a slide, O any point of the joint's axis."""
-    holders = [BASE, *frames[:-1]] if chain.convention == "standard" else frames
-    columns = []
-    for row, holder in zip(chain.rows, holders, strict=True):
-        axis = _scale(row.sign, holder[6:9])
-        lever = _subtract(frames[-1][9:], holder[9:])
-        columns.append((*_cross(axis, lever), *axis) if row.type == "R" else (*axis, *ZERO))
-    return tuple(zip(*columns, strict=True))
-
-
-def _rotated(frame: Frame, r: Vector) -> Vector:
-    return _add(_add(_scale(r[0], frame[0:3]), _scale(r[1], frame[3:6])), _scale(r[2], frame[6:9]))
-
-
-def _carried(omega: Vector, epsilon: Vector, arm: Vector) -> Vector:
-    return _add(_cross(epsilon, arm), _cross(omega, _cross(omega, arm)))
-
-
-def _add(u: Vector, w: Vector) -> Vector:
-    return u[0] + w[0], u[1] + w[1], u[2] + w[2]
-
-
-def _subtract(u: Vector, w: Vector) -> Vector:
-    return u[0] - w[0], u[1] - w[1], u[2] - w[2]
-
-
-def _scale(k: float, u: Vector) -> Vector:
-    return k * u[0], k * u[1], k * u[2]
-
-
-def _cross(u: Vector, w: Vector) -> Vector:
-    return u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]
+def turned(frame: Frame, u: Vector) -> Vector:
+    """Give a vector of a frame by its components in base axes."""
+    return add(add(scaled(u[0], frame[0:3]), scaled(u[1], frame[3:6])), scaled(u[2], frame[6:9]))

@@ -112,39 +112,49 @@ def _factors(row: Row, variable: float, convention: Convention) -> tuple[Matrix,
 
 
 def joint_operator(joint: JointType, sign: float = 1.0) -> Matrix:
-    """Omega with dA/dq = Omega A (standard convention); `sign` -1 where the table holds -q (domain DH-5)."""
+    """Omega with dA/dq = Omega A (standard) or A Omega (modified); `sign` -1 where the table holds -q (domain DH-5)."""
     if joint == "R":
         return (0.0, -sign, 0.0, 0.0), (sign, 0.0, 0.0, 0.0), ZERO[0], ZERO[0]
     return ZERO[0], ZERO[0], (0.0, 0.0, 0.0, sign), ZERO[0]
 
 
-def velocity_matrix(rows: Sequence[Row], q: Sequence[float], i: int, j: int) -> Matrix:
-    """U_ij = dT_i/dq_j = A_1 ... A_(j-1) Omega_j A_j ... A_i of a standard chain, zero for j > i (domain DH-6)."""
-    return _derivative(rows, q, i, (j,))
+def velocity_matrix(
+    rows: Sequence[Row], q: Sequence[float], i: int, j: int, convention: Convention = "standard"
+) -> Matrix:
+    """U_ij = dT_i/dq_j = A_1 ... A_(j-1) Omega_j A_j ... A_i, zero for j > i (domain DH-6)."""
+    return _derivative(rows, q, i, (j,), convention)
 
 
-def acceleration_matrix(rows: Sequence[Row], q: Sequence[float], i: int, j: int, k: int) -> Matrix:
-    """V_ijk = d2T_i/dq_j dq_k of a standard chain (domain DH-7): the operators stand before A_j and A_k."""
-    return _derivative(rows, q, i, (j, k))
+def acceleration_matrix(
+    rows: Sequence[Row], q: Sequence[float], i: int, j: int, k: int, convention: Convention = "standard"
+) -> Matrix:
+    """V_ijk = d2T_i/dq_j dq_k (domain DH-7): the operators stand before A_j and A_k, behind them when modified."""
+    return _derivative(rows, q, i, (j, k), convention)
 
 
-def _derivative(rows: Sequence[Row], q: Sequence[float], i: int, by: tuple[int, ...]) -> Matrix:
-    check_variables(rows, "standard", q=q)
+def _derivative(rows: Sequence[Row], q: Sequence[float], i: int, by: tuple[int, ...], convention: Convention) -> Matrix:
+    check_variables(rows, convention, q=q)
     if not all(1 <= number <= len(rows) for number in (i, *by)):
         raise ValueError(f"frame {i} and joints {by} must lie in 1 .. {len(rows)}")
     if max(by) > i:
         return ZERO
     factors: list[Matrix] = []
     for number, (row, variable) in enumerate(zip(rows[:i], q[:i], strict=True), start=1):
-        factors += [joint_operator(row.type, row.sign)] * by.count(number)
-        factors += _factors(row, variable, "standard")
+        operators = [joint_operator(row.type, row.sign)] * by.count(number)
+        pair = _factors(row, variable, convention)
+        factors += [*operators, *pair] if convention == "standard" else [*pair, *operators]
     return product(*factors)
 
 
 def point_motion(
-    rows: Sequence[Row], q: Sequence[float], qd: Sequence[float], qdd: Sequence[float], point: Vector
+    rows: Sequence[Row],
+    q: Sequence[float],
+    qd: Sequence[float],
+    qdd: Sequence[float],
+    point: Vector,
+    convention: Convention = "standard",
 ) -> tuple[Vector, Vector, Vector]:
-    """Move a point of the last link of a standard chain by the matrices U and V.
+    """Move a point of the last link of a chain by the matrices U and V.
 
     Args:
         rows: The table, n rows.
@@ -152,6 +162,7 @@ def point_motion(
         qd: Their rates, ``(n,)``.
         qdd: Their accelerations, ``(n,)``.
         point: In the last frame, in metres.
+        convention: "standard" or "modified".
 
     Returns:
         Position (m), velocity (m/s) and acceleration (m/s^2) in base axes.
@@ -162,14 +173,14 @@ def point_motion(
     Source:
         Domain DH-6, DH-7: T' = sum U_j q_j', T'' = sum U_j q_j'' + sum V_jk q_j' q_k'.
     """
-    check_variables(rows, "standard", q=q, qd=qd, qdd=qdd)
+    check_variables(rows, convention, q=q, qd=qd, qdd=qdd)
     n = len(rows)
     joints = range(1, n + 1)
-    first = [velocity_matrix(rows, q, n, j) for j in joints]
-    second = [acceleration_matrix(rows, q, n, j, k) for j in joints for k in joints]
+    first = [velocity_matrix(rows, q, n, j, convention) for j in joints]
+    second = [acceleration_matrix(rows, q, n, j, k, convention) for j in joints for k in joints]
     squares = [x * y for x in qd for y in qd]
     return (
-        moved_point(chain_pose(rows, q), point),
+        moved_point(chain_pose(rows, q, convention), point),
         moved_point(total(first, qd), point),
         moved_point(total(first + second, [*qdd, *squares]), point),
     )
