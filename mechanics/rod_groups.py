@@ -16,6 +16,7 @@ from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import principal
 
 Lengths = Mapping[str, float]
+Slopes = tuple[Vector, Vector, Vector]
 Solutions = tuple[Vector, ...]
 
 REACH = 1e-12  # a gap below this part of the reach is rounding, not distance
@@ -31,6 +32,7 @@ class Group:
     lengths: tuple[str, ...]
     table: Callable[[Lengths], tuple[tuple[Row, ...], Vector]]
     direct: Callable[[Lengths, Sequence[float]], Vector]
+    partials: Callable[[Lengths, Sequence[float]], Slopes]
     determinant: Callable[[Lengths, Sequence[float]], float]
     inverse: Callable[[Lengths, Vector], list[Vector]]
 
@@ -75,6 +77,13 @@ def determinant(group: str, lengths: Lengths, q: Sequence[float]) -> float:
     found = _checked(group, lengths)
     _check_three("q", q)
     return found.determinant(lengths, q)
+
+
+def partials(group: str, lengths: Lengths, q: Sequence[float]) -> Slopes:
+    """Find dM/dq1, dM/dq2, dM/dq3, in m/rad or 1; arguments and errors as for `direct`."""
+    found = _checked(group, lengths)
+    _check_three("q", q)
+    return found.partials(lengths, q)
 
 
 def inverse(group: str, lengths: Lengths, M: Vector) -> Solutions:
@@ -164,6 +173,10 @@ def _ppp_direct(n: Lengths, q: Sequence[float]) -> Vector:
     return q[1], q[2], q[0] - n["d"]
 
 
+def _ppp_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    return (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
+
+
 def _ppp_inverse(n: Lengths, M: Vector) -> list[Vector]:
     return [(M[2] + n["d"], M[0], M[1])]
 
@@ -174,6 +187,11 @@ def _rpp_table(n: Lengths) -> tuple[tuple[Row, ...], Vector]:
 
 def _rpp_direct(n: Lengths, q: Sequence[float]) -> Vector:
     return -q[2] * sin(q[0]), q[2] * cos(q[0]), q[1] + n["d"]
+
+
+def _rpp_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    c1, s1 = cos(q[0]), sin(q[0])
+    return (-q[2] * c1, -q[2] * s1, 0.0), (0.0, 0.0, 1.0), (-s1, c1, 0.0)
 
 
 def _rpp_inverse(n: Lengths, M: Vector) -> list[Vector]:
@@ -191,6 +209,12 @@ def _rrp_direct(n: Lengths, q: Sequence[float]) -> Vector:
     c1, s1, c2, s2 = cos(q[0]), sin(q[0]), cos(q[1]), sin(q[1])
     d = n["d"]
     return q[2] * s2 * c1 - d * s1, q[2] * s2 * s1 + d * c1, n["L1"] - q[2] * c2
+
+
+def _rrp_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    c1, s1, c2, s2 = cos(q[0]), sin(q[0]), cos(q[1]), sin(q[1])
+    x, y, _ = _rrp_direct(n, q)
+    return (-y, x, 0.0), (q[2] * c2 * c1, q[2] * c2 * s1, q[2] * s2), (s2 * c1, s2 * s1, -c2)
 
 
 def _rrp_inverse(n: Lengths, M: Vector) -> list[Vector]:
@@ -217,6 +241,12 @@ def _prr_direct(n: Lengths, q: Sequence[float]) -> Vector:
     return n["L3"] * sin(psi) + n["L2"] * sin(q[1]), n["L3"] * cos(psi) + n["L2"] * cos(q[1]) + n["L1"], q[0]
 
 
+def _prr_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    psi = q[1] - q[2]
+    dx, dy = n["L3"] * cos(psi), -n["L3"] * sin(psi)
+    return (0.0, 0.0, 1.0), (dx + n["L2"] * cos(q[1]), dy - n["L2"] * sin(q[1]), 0.0), (-dx, -dy, 0.0)
+
+
 def _prr_inverse(n: Lengths, M: Vector) -> list[Vector]:
     x, y, z = M
     return [(z, *_elbow(y - n["L1"], x, n["L2"], n["L3"], sign)) for sign in ELBOWS]
@@ -231,6 +261,14 @@ def _rrr_direct(n: Lengths, q: Sequence[float]) -> Vector:
     psi = q[1] - q[2]
     rho = n["L3"] * cos(psi) + n["L2"] * cos(q[1])
     return cos(q[0]) * rho, sin(q[0]) * rho, n["L3"] * sin(psi) + n["L2"] * sin(q[1]) + n["L1"]
+
+
+def _rrr_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    psi, c1, s1 = q[1] - q[2], cos(q[0]), sin(q[0])
+    x, y, z = _rrr_direct(n, q)
+    up, across = n["L3"] * sin(psi), n["L3"] * cos(psi)
+    rise = z - n["L1"]
+    return (-y, x, 0.0), (-c1 * rise, -s1 * rise, across + n["L2"] * cos(q[1])), (c1 * up, s1 * up, -across)
 
 
 def _rrr_inverse(n: Lengths, M: Vector) -> list[Vector]:
@@ -257,18 +295,31 @@ def _prp_direct(n: Lengths, q: Sequence[float]) -> Vector:
     return -q[2] * sin(q[1]), q[2] * cos(q[1]), q[0] + n["d"]
 
 
+def _prp_partials(n: Lengths, q: Sequence[float]) -> Slopes:
+    c2, s2 = cos(q[1]), sin(q[1])
+    return (0.0, 0.0, 1.0), (-q[2] * c2, -q[2] * s2, 0.0), (-s2, c2, 0.0)
+
+
 def _prp_inverse(n: Lengths, M: Vector) -> list[Vector]:
     x, y, z = M
     return [(z - n["d"], _angle(-x, y, max(map(abs, M)), "2"), hypot(x, y))]
 
 
 GROUPS: Mapping[str, Group] = {
-    "PPP": Group("DH-11", ("d",), _ppp_table, _ppp_direct, lambda n, q: 1.0, _ppp_inverse),
-    "RPP": Group("DH-12", ("d",), _rpp_table, _rpp_direct, lambda n, q: q[2], _rpp_inverse),
-    "RRP": Group("DH-13", ("d", "L1"), _rrp_table, _rrp_direct, lambda n, q: q[2] ** 2 * sin(q[1]), _rrp_inverse),
-    "PRR": Group(
-        "DH-14", ("L1", "L2", "L3"), _prr_table, _prr_direct, lambda n, q: -n["L2"] * n["L3"] * sin(q[2]), _prr_inverse
+    "PPP": Group("DH-11", ("d",), _ppp_table, _ppp_direct, _ppp_partials, lambda n, q: 1.0, _ppp_inverse),
+    "RPP": Group("DH-12", ("d",), _rpp_table, _rpp_direct, _rpp_partials, lambda n, q: q[2], _rpp_inverse),
+    "RRP": Group(
+        "DH-13", ("d", "L1"), _rrp_table, _rrp_direct, _rrp_partials, lambda n, q: q[2] ** 2 * sin(q[1]), _rrp_inverse
     ),
-    "RRR": Group("DH-15", ("L1", "L2", "L3"), _rrr_table, _rrr_direct, _rrr_determinant, _rrr_inverse),
-    "PRP": Group("DH-16", ("d",), _prp_table, _prp_direct, lambda n, q: -q[2], _prp_inverse),
+    "PRR": Group(
+        "DH-14",
+        ("L1", "L2", "L3"),
+        _prr_table,
+        _prr_direct,
+        _prr_partials,
+        lambda n, q: -n["L2"] * n["L3"] * sin(q[2]),
+        _prr_inverse,
+    ),
+    "RRR": Group("DH-15", ("L1", "L2", "L3"), _rrr_table, _rrr_direct, _rrr_partials, _rrr_determinant, _rrr_inverse),
+    "PRP": Group("DH-16", ("d",), _prp_table, _prp_direct, _prp_partials, lambda n, q: -q[2], _prp_inverse),
 }
