@@ -122,8 +122,7 @@ def _spellings(solved: Solved) -> Iterator[str]:
 
 
 def _full(solved: Solved, name: str, text: str) -> bool:
-    code = grade(Submission(solved.variant, {name: text})).verdicts[name].code
-    return code in (Code.RIGHT, Code.KEPT)  # a lecturer reads what is kept
+    return grade(Submission(solved.variant, {name: text})).verdicts[name].code is Code.RIGHT
 
 
 def _mistakes(solved: Solved) -> Iterator[str]:
