@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import Field, dataclass, field, fields, is_dataclass
+from dataclasses import Field, field, fields, is_dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias, get_args, get_type_hints
 
+from graders import Domain
+
 Json: TypeAlias = Any
-
-
-@dataclass(frozen=True, slots=True)
-class Domain:
-    """The values a given can have: an interval, of whole numbers or of doubles."""
-
-    low: float
-    high: float
-    integer: bool = False
 
 
 def given(low: float, high: float, *, integer: bool = False) -> Any:

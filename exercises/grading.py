@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -19,6 +20,7 @@ from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
 GRADER_VERSION = "1"
 PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
+OFF = (Outcome.PARTLY, Outcome.WRONG)
 
 
 class UnknownAnswer(ValueError):
@@ -96,25 +98,31 @@ def _read(solved: Solved, name: str, text: str) -> Any:
 def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
     """Judge the answers in order; a wrong one is carried, and later ones are solved again from it.
 
-    So is a right one in which the student chooses freely (frames of a chain): what follows from it is simply right.
+    After a right one in which the student chooses freely (frames of a chain) they are solved from his own choice.
     """
     verdicts: dict[str, Verdict] = {}
     fixed: dict[str, Value | Tree] = {}
-    slipped = False
+    values = solved.values
     for name, answer in read.items():
         if isinstance(answer, Verdict):
             verdicts[name] = answer
             continue
-        verdict = solved.answers[name].check(answer, _against(solved, read, name, solved.reference(name)))
-        if verdict.outcome in (Outcome.WRONG, Outcome.PARTLY):
+        verdict = solved.answers[name].check(answer, _against(solved, read, name, solved.reference(name, values)))
+        if verdict.outcome in OFF:
             if fixed and _follows(solved, name, answer, fixed):
-                verdict = FOLLOWED if slipped else RIGHT
-            slipped = slipped or verdict is not RIGHT
+                verdict = FOLLOWED
             _carry(solved, name, answer, fixed)
-        elif getattr(solved.answers[name], "free", False):
-            _carry(solved, name, answer, fixed)
+        elif _free(solved, name) and verdict is RIGHT:
+            chosen = _chosen(solved, {name: answer}, {name: verdict})
+            with suppress(UndefinedError):  # a table without a value at the numbers of this variant
+                values = solved.again(fixed={**fixed, **chosen})
+                fixed |= chosen
         verdicts[name] = verdict
     return verdicts
+
+
+def _free(solved: Solved, name: str) -> bool:
+    return getattr(solved.answers[name], "free", False)
 
 
 def _against(solved: Solved, read: Mapping[str, Any], name: str, reference: Any) -> Any:
@@ -162,16 +170,25 @@ def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Ver
         for name, answer in read.items()
         if not isinstance(answer, Verdict) and verdicts[name].code is not Code.KEPT
     }
-    off = (Outcome.WRONG, Outcome.PARTLY)
-    if not any(verdicts[name].outcome in off or verdicts[name] is FOLLOWED for name in given):
+    if not any(verdicts[name].outcome in OFF or verdicts[name] is FOLLOWED for name in given):
         return None
-    for mistake, expected in slips(solved):
+    for mistake, expected in slips(solved, _chosen(solved, given, verdicts)):
         if all(
             _predicted(solved, name, answer, _against(solved, read, name, expected[name]))
             for name, answer in given.items()
         ):
             return mistake
     return None
+
+
+def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> dict[str, Value | Tree]:
+    """Give the right answers in which the student chose freely: his slips stand on his own choice."""
+    carried = {
+        solved.step_of(name): solved.answers[name].carried(answer)
+        for name, answer in given.items()
+        if _free(solved, name) and verdicts[name] is RIGHT
+    }
+    return {step: own for step, own in carried.items() if own is not None}
 
 
 def _predicted(solved: Solved, name: str, answer: Any, expected: Any) -> bool:

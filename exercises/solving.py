@@ -7,21 +7,19 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import chain, islice
+from itertools import chain
 from typing import Any
 
 from exercises import catalogue
-from exercises.draw import Draw
 from exercises.exercise import AnyExercise, Line, Steps, Variant
-from exercises.givens import Domain, domains, numbers, words_of
-from graders import Formula, Grader, States, Symbols, Value
+from exercises.givens import domains, numbers, words_of
+from graders import Domain, Formula, Grader, States, Symbols, Value
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, domain_test, line_runner, run
 from graders.language.program import Runner, Table
 from graders.language.tree import names as names_in
+from graders.states import drawn
 
-POINTS = 16
-TRIES = 400
 SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
 
@@ -233,48 +231,8 @@ def _states(
 ) -> States:
     """Draw the states of a topology; variants whose seeds agree modulo `SETS` share them."""
     secret, exercise, number = chance
-    names, ranges = zip(*domains, strict=True) if domains else ((), ())
-    defined, points = formulas.defined(step), list[tuple[float, ...]]()
-    for point in islice(_spread(Draw(secret.hex(), exercise, number, step), ranges), TRIES):
-        if defined(point):
-            points.append(point)
-        if len(points) == POINTS:
-            return States(names, (*points, *filter(defined, _ends(points, ranges))), formulas.before(step))
-    raise UndefinedError(f"{exercise}: step {step!r} has values at {len(points)} of {TRIES} points")
-
-
-def _ends(points: list[tuple[float, ...]], ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:
-    """Move each symbol in turn to both ends of its range: a bracket may open only there."""
-    for at, domain in enumerate(ranges):
-        step = 0.0 if domain.integer else (domain.high - domain.low) * 1e-6
-        for end, point in ((domain.low + step, points[at % POINTS]), (domain.high - step, points[-1 - at % POINTS])):
-            yield (*point[:at], end, *point[at + 1 :])
-
-
-def _spread(rng: Draw, ranges: tuple[Domain, ...]) -> Iterator[tuple[float, ...]]:
-    """Fill the box evenly from a drawn start.
-
-    Source:
-        Kronecker sequence of the powers of the generalized golden ratio: M. Roberts, The unreasonable effectiveness of
-        quasirandom sequences, 2018.
-    """
-    steps = _golden(len(ranges))
-    place = [rng.uniform(0.0, 1.0) for _ in ranges]
-    while True:
-        yield tuple(_scaled(share, domain) for share, domain in zip(place, ranges, strict=True))
-        place = [(share + step) % 1.0 for share, step in zip(place, steps, strict=True)]
-
-
-@lru_cache(maxsize=64)
-def _golden(count: int) -> tuple[float, ...]:
-    """Give the powers of 1/g, where g is the root of g^(count + 1) = g + 1."""
-    ratio = 2.0
-    for _ in range(64):
-        ratio = (1 + ratio) ** (1 / (count + 1))
-    return tuple(ratio**-power for power in range(1, count + 1))
-
-
-def _scaled(share: float, domain: Domain) -> float:
-    if domain.integer:
-        return domain.low + float(int(share * (domain.high - domain.low + 1)))
-    return domain.low + (domain.high - domain.low) * (0.001 + 0.998 * share)
+    words = b"\x1f".join((secret, exercise.encode(), str(number).encode(), step.encode()))
+    try:
+        return drawn(dict(domains), words, formulas.defined(step), formulas.before(step))
+    except UndefinedError as error:
+        raise UndefinedError(f"{exercise}: step {step!r}: {error}") from error

@@ -14,10 +14,12 @@ from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
 from exercises.solving import Solved
 from graders import Value
+from graders.language import Tree
 from graders.language.doubles import UndefinedError
 
 MAX_SEED = 2**53 - 1
 REDRAWS = 100
+NOTHING_CHOSEN: Mapping[str, Value | Tree] = {}
 APART = 3.0  # tolerances between a mistake's prediction and the reference, in some answer
 
 
@@ -71,14 +73,19 @@ def predictions(solved: Solved) -> dict[str, Predictions]:
     return dict(slips(solved))
 
 
-def slips(solved: Solved) -> Iterator[tuple[str, Predictions]]:
-    """Solve one mistake after the other, so that who has found his need not solve the rest."""
+def slips(solved: Solved, chosen: Mapping[str, Value | Tree] = NOTHING_CHOSEN) -> Iterator[tuple[str, Predictions]]:
+    """Solve one mistake after the other, so that who has found his need not solve the rest.
+
+    Args:
+        solved: The variant.
+        chosen: Right answers of the student in which he chose freely (frames of a chain), by their step.
+    """
     for name, mistake in solved.exercise.mistakes.items():
         lines = mistake.lines(solved.variant.givens)
         if not lines:
             continue
         try:
-            yield name, Predictions(solved, solved.again(replaced=lines), lines)
+            yield name, Predictions(solved, solved.again(replaced=lines, fixed=chosen), lines)
         except UndefinedError:
             continue
 

@@ -122,7 +122,8 @@ def _spellings(solved: Solved) -> Iterator[str]:
 
 
 def _full(solved: Solved, name: str, text: str) -> bool:
-    return grade(Submission(solved.variant, {name: text})).verdicts[name].code is Code.RIGHT
+    code = grade(Submission(solved.variant, {name: text})).verdicts[name].code
+    return code in (Code.RIGHT, Code.KEPT)  # a lecturer reads what is kept
 
 
 def _mistakes(solved: Solved) -> Iterator[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from graders.judge import Echo, Formula, Grader, Reference, Samples, States, Value
+from graders.judge import Domain, Echo, Formula, Grader, Reference, Samples, States, Value
 from graders.language import AnswerSyntaxError, Symbols
 from graders.verdict import Code, Outcome, Verdict
 
@@ -59,6 +59,7 @@ __all__ = [
     "Code",
     "DHTable",
     "Diagram",
+    "Domain",
     "Echo",
     "Expression",
     "Formula",

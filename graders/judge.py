@@ -16,6 +16,15 @@ Value: TypeAlias = float | Matrix | str
 
 
 @dataclass(frozen=True, slots=True)
+class Domain:
+    """The values a symbol can have: an interval, of whole numbers or of doubles."""
+
+    low: float
+    high: float
+    integer: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class States:
     """True states of a system on which a symbolic answer is tested.
 
@@ -23,11 +32,13 @@ class States:
         names: The givens, in the order of the numbers of a point.
         points: Points of the givens' domain at which the system can be assembled.
         lines: Formulas of the earlier steps in the order of solving; their values follow from the givens.
+        box: The domains of the givens, in the same order; empty where only the points count.
     """
 
     names: tuple[str, ...]
     points: tuple[tuple[float, ...], ...]
     lines: tuple[tuple[str, Tree], ...] = ()
+    box: tuple[Domain, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from mechanics.errors import AssemblyError
 from mechanics.structure import FRAME, Pair
 
 LARGEST = 6  # moving links of the largest group looked for: 2, 4 or 6
+DYADS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV"}
 
 
@@ -70,6 +71,33 @@ def decompose(pairs: Sequence[Pair], drivers: Sequence[str]) -> Structure:
         groups.append(group)
         built |= group.links
     return Structure(tuple(drivers), tuple(groups))
+
+
+def lower_pairs(pairs: Sequence[Pair]) -> tuple[Pair, ...]:
+    """Replace each higher pair of the plane by a link with two pairs of class 5, which keeps the mobility.
+
+    The new link of the pair between a and b is called "a~b" (3 - 2*2 = -1, as one pair of class 4).
+    """
+    found: list[Pair] = []
+    for pair in pairs:
+        link = f"{pair.one}~{pair.other}"
+        found += [Pair(pair.one, link), Pair(link, pair.other)] if pair.klass == 4 else [pair]
+    return tuple(found)
+
+
+def dyad_form(outer: str, inner: str, other: str) -> str:
+    """Name the form of a group of class II by the letters of its pairs, R or P, the inner one in the middle.
+
+    Returns:
+        One of RRR, RRP, RPR, PRP, RPP; read from either end it is the same form.
+
+    Raises:
+        ValueError: A letter is neither R nor P, or all are P: three slides hold nothing.
+    """
+    form = max(outer + inner + other, other + inner + outer)
+    if form not in DYADS:
+        raise ValueError(f"{outer}{inner}{other} is no dyad: the forms are {', '.join(DYADS)}")
+    return form
 
 
 def _next_group(pairs: Sequence[Pair], built: frozenset[str], rest: Iterable[str]) -> Group:

@@ -10,14 +10,15 @@ to its left, at x = 0 the one inside.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import sqrt
+from math import cos, fsum, pi, sin, sqrt
 
 from mechanics.checks import place
+from mechanics.composed import Block, Part
 from mechanics.members import Beam, Distributed, Force, Moment, Reaction
-from mechanics.section import Rectangle, Ring
+from mechanics.section import Circle, Rectangle, Ring
 from mechanics.stiffness import settle
 from mechanics.torsion_frame import FrameShaft, polar_moment, solve_shaft
 
@@ -307,4 +308,20 @@ def _second_moment(beam: Beam) -> float:
         return 2 * section.b * top / 6 * (4 * (top / 2) ** 2 + top**2)
     if isinstance(section, Ring):
         return polar_moment(section.D, section.d) / 2
-    return polar_moment(section.d, 0.0) / 2
+    if isinstance(section, Circle):
+        return polar_moment(section.d, 0.0) / 2
+    fibres = [fibre for part in section.parts for fibre in _fibres(part)]
+    level = fsum(y * A for y, A in fibres) / fsum(A for _, A in fibres)
+    return fsum((y - level) ** 2 * A for y, A in fibres)
+
+
+def _fibres(part: Part) -> Iterator[tuple[float, float]]:
+    """Heights (m) and areas (m^2) of a few fibres that integrate a square exactly: Gauss-Legendre for the rectangle,
+    Gauss-Chebyshev of the second kind, whose weight is the chord, for the disc."""
+    if isinstance(part, Block):
+        shares = [(side / 3**0.5, 2 * part.b * part.half / 2) for side in (-1, 1)]
+    else:
+        turns = [pi / 4, pi / 2, 3 * pi / 4]
+        shares = [(cos(turn), 2 * part.half**2 * pi / 4 * sin(turn) ** 2) for turn in turns]
+    for share, area in shares:
+        yield part.y + share * part.half, -area if part.hole else area

@@ -40,7 +40,7 @@ def freedom(closure: Closure, coordinates: int) -> Freedom:
     import numpy as np
 
     _, slopes = closure(np.zeros(coordinates))
-    free = _free(slopes, coordinates)
+    free = free_directions(slopes, coordinates)
     rank = coordinates - free.shape[0]
     if not free.shape[0]:
         return Freedom(0, 0, rank)
@@ -60,7 +60,7 @@ def _directions(free: Any) -> list[Vector]:
     return [sign * one / np.linalg.norm(one) for one in chosen for sign in (1.0, -1.0)]
 
 
-def _free(slopes: Any, coordinates: int) -> Any:
+def free_directions(slopes: Any, coordinates: int) -> Any:
     """Give a basis of the directions that change no gap, ``(free, n)``."""
     import numpy as np
 
@@ -84,7 +84,7 @@ def _walk(closure: Closure, direction: Vector, coordinates: int) -> int | None:
         at = there
     if not np.any(at):
         return None
-    return int(_free(closure(at)[1], coordinates).shape[0])
+    return int(free_directions(closure(at)[1], coordinates).shape[0])
 
 
 def _closed(closure: Closure, at: Vector) -> Vector | None:

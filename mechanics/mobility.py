@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from math import atan2, hypot, pi, sqrt
+from math import atan2, hypot
 from typing import Any, TypeAlias
 
-from mechanics import planar
+from mechanics import planar, spatial
 from mechanics.checks import finite
-from mechanics.freedom import Closure, Freedom, freedom
+from mechanics.freedom import Closure, Freedom, free_directions, freedom
 from mechanics.structure import CLASSES, FRAME, Pair, count_loops, expanded, planar_mobility, spatial_mobility
 
 Point: TypeAlias = tuple[float, ...]
@@ -23,7 +23,6 @@ MADE: dict[str, Callable[[planar.Marker, planar.Marker], planar.Joint]] = {
     "P": planar.Prismatic,
     "H": planar.Contact,
 }
-DIFFERENCE = 1e-6  # of the size, for slopes in space
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +91,39 @@ def space(links: Sequence[str], joints: Sequence[Joint]) -> Mobility:
     return Mobility(len(links) - 1, classes, formula, count_loops(pairs), *found)
 
 
+def local_freedoms(links: Sequence[str], joints: Sequence[Joint], in_space: bool = False) -> dict[str, int]:
+    """Find links that move on their own and move nothing else: a roller about its pin, a coupler between two spheres.
+
+    Args:
+        links: All links, the frame "0" among them.
+        joints: Their joints, each with its place.
+        in_space: Whether the joints are those of `space` instead of `plane`.
+
+    Returns:
+        The number of local freedoms by link, for links in two joints or more that have any.
+
+    Raises:
+        ValueError: As for `plane`, or a joint has no place.
+
+    Source:
+        Domain STR-2 (spin of a coupler), STR-4 (roller): subtract them from the mobility to get the useful one.
+    """
+    import numpy as np
+
+    _pairs(links, joints, CLASSES if in_space else PLANAR)
+    for number, joint in enumerate(joints, 1):
+        if joint.at is None:
+            raise ValueError(f"joint {number}: local freedoms need the place of every joint")
+    size = 6 if in_space else 3
+    closure = (_space_closure if in_space else _plane_closure)(links, joints)
+    slopes = closure(np.zeros(size * (len(links) - 1)))[1]
+    found = {}
+    for number, link in enumerate(link for link in links if link != FRAME):
+        if sum(link in joint.links for joint in joints) >= 2:
+            found[link] = free_directions(slopes[:, size * number : size * (number + 1)], size).shape[0]
+    return {link: count for link, count in found.items() if count}
+
+
 def _freedom(joints: Sequence[Joint], model: Any) -> tuple[int | None, int | None, int | None]:
     if any(joint.at is None for joint in joints):
         return None, None, None
@@ -114,6 +146,10 @@ def _pairs(links: Sequence[str], joints: Sequence[Joint], kinds: dict[str, int])
                 raise ValueError(f"joint {number}: {link!r} is no link of the mechanism")
         pairs += expanded(joint.links, kinds[joint.kind])
         _check_place(number, joint, 2 if kinds is PLANAR else 3)
+    joined = {link for joint in joints for link in joint.links}
+    for link in links:
+        if link not in joined and len(links) > 1:
+            raise ValueError(f"link {link!r} is in no joint")
     return pairs
 
 
@@ -163,74 +199,26 @@ def _plane_joints(joint: Joint, numbers: dict[str, int], size: float) -> list[pl
 
 
 def _space_closure(links: Sequence[str], joints: Sequence[Joint]) -> Closure:
-    """Write the gaps of all pairs for bodies displaced by (translation, rotation vector); slopes by differences."""
-    import numpy as np
-
+    """Write the constraints with the pairs of `mechanics.spatial`, lengths over the size of the mechanism."""
     numbers = {link: number for number, link in enumerate([FRAME, *(link for link in links if link != FRAME)])}
-    size, coordinates = _size(joints), 6 * (len(links) - 1)
-
-    def gaps(at: Any) -> Any:
-        bodies = [_displaced(np.zeros(6)), *(_displaced(at[i : i + 6]) for i in range(0, coordinates, 6))]
-        found = [
-            gap
-            for joint in joints
-            for other in joint.links[1:]
-            for gap in _gaps(joint, size, bodies[numbers[joint.links[0]]], bodies[numbers[other]])
-        ]
-        return np.array(found)
-
-    def closure(at: Any) -> tuple[Any, Any]:
-        steps = np.eye(coordinates) * DIFFERENCE
-        columns = [(gaps(at + step) - gaps(at - step)) / (2 * DIFFERENCE) for step in steps]
-        return gaps(at), np.array(columns).T
-
-    return closure
+    size = _size(joints)
+    pairs = [
+        spatial.spatial_pair(
+            joint.kind,
+            (numbers[joint.links[0]], numbers[other]),
+            _vector(joint.at, 1 / size) or (0.0, 0.0, 0.0),
+            _vector(joint.direction),
+            _vector(joint.second),
+            joint.pitch / size,
+        )
+        for joint in joints
+        for other in joint.links[1:]
+    ]
+    return lambda at: spatial.closure(pairs, len(links) - 1, at)
 
 
-def _displaced(twist: Any) -> tuple[Any, Any]:
-    """Give translation and rotation matrix of a body (Rodrigues)."""
-    import numpy as np
-
-    x, y, z = twist[3:]
-    angle = sqrt(x * x + y * y + z * z)
-    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    if angle < 1e-9:
-        return twist[:3], np.eye(3) + cross
-    return twist[:3], np.eye(3) + np.sin(angle) / angle * cross + (1 - np.cos(angle)) / angle**2 * cross @ cross
-
-
-def _gaps(joint: Joint, size: float, one: tuple[Any, Any], other: tuple[Any, Any]) -> list[float]:
-    """Give the gaps of one pair: as many as its class."""
-    import numpy as np
-
-    (ta, ra), (tb, rb) = one, other
-    place = np.array(joint.at) / size
-    u = np.array(joint.direction or (0.0, 0.0, 1.0), float)
-    u /= np.linalg.norm(u)
-    e = np.cross(u, np.eye(3)[int(np.argmin(np.abs(u)))])
-    e /= np.linalg.norm(e)
-    f = np.cross(u, e)
-    shift = tb + rb @ place - ta - ra @ place
-    across = [ra @ e @ shift, ra @ f @ shift]
-    tilt = [ra @ e @ (rb @ u), ra @ f @ (rb @ u)]
-    match joint.kind:
-        case "R":
-            return [*shift, *tilt]
-        case "P":
-            return [*across, *tilt, ra @ e @ (rb @ f)]
-        case "C":
-            return [*across, *tilt]
-        case "H":
-            turn = atan2(ra @ f @ (rb @ e), ra @ e @ (rb @ e))
-            return [*across, *tilt, ra @ u @ shift - joint.pitch / size * turn / (2 * pi)]
-        case "U":
-            second = np.array(joint.second, float) if joint.second else e
-            return [*shift, ra @ u @ (rb @ second) / float(np.linalg.norm(second))]
-        case "S":
-            return [*shift]
-        case "E":
-            return [ra @ u @ shift, *tilt]
-        case "L":
-            return [ra @ u @ shift, ra @ u @ (rb @ e)]
-        case _:  # "B": a ball stays in the tangent plane of the other body
-            return [ra @ u @ shift]
+def _vector(values: Point | None, scale: float = 1.0) -> spatial.Vector | None:
+    if values is None:
+        return None
+    x, y, z = values
+    return scale * x, scale * y, scale * z

@@ -1,15 +1,20 @@
 """Cross-sections in bending and torsion: areas, moments, moduli (SI).
 
-Bending is about the horizontal axis through the centre; the neutral axis is that axis, since every section here is
-symmetric about it. The polar quantities exist for round sections only: there the torsion constant is the polar moment.
+Bending is about the horizontal axis through the centroid, which is the neutral axis; it halves the sections of this
+module, those of `composed` it does not. The torsion constant stands where it is exact: for round sections it is the
+polar moment, for the rectangle Saint-Venant's series.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import pi
+from math import cosh, exp, pi
 
 from mechanics.checks import positive
+from mechanics.composed import Composed
+
+_ODD_FIFTHS = 31 / 32 * 1.0369277551433699  # 1 + 1/3^5 + 1/5^5 + ... = 31/32 zeta(5)
+_TERMS = range(1, 26, 2)  # of series that fall at least like exp(-pi n)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +52,26 @@ class Rectangle:
     def neutral_width(self) -> float:
         """Width of the material at the neutral axis, m."""
         return self.b
+
+    @property
+    def torsion_constant(self) -> float:
+        """Torsion constant J, m^4.
+
+        Source:
+            Saint-Venant: Timoshenko, Goodier, Theory of Elasticity, 3rd ed., 1970, section 109, eq. (163):
+            J = a c^3 (1/3 - 64 c/(pi^5 a) sum of tanh(n pi a/(2 c))/n^5 over odd n), a the longer side, c the shorter;
+            here 1 - tanh(x) = 2/(exp(2x) + 1) is summed.
+        """
+        long, short = max(self.b, self.h), min(self.b, self.h)
+        missing = sum(2 / n**5 * (fall := exp(-min(n * pi * long / short, 700.0))) / (1 + fall) for n in _TERMS)
+        return long * short * short * short * (1 / 3 - 64 / pi**5 * short / long * (_ODD_FIFTHS - missing))
+
+    @property
+    def torsion_modulus(self) -> float:
+        """Torsion modulus T/tau_max, m^3, with tau_max at the middle of the longer side (eq. (161) there)."""
+        long, short = max(self.b, self.h), min(self.b, self.h)
+        lost = sum(1 / n**2 / cosh(min(n * pi * long / short / 2, 700.0)) for n in _TERMS)
+        return self.torsion_constant / (short * (1 - 8 / pi**2 * lost))
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,4 +169,4 @@ class Circle:
         return self.d
 
 
-Section = Rectangle | Circle | Ring
+Section = Rectangle | Circle | Ring | Composed

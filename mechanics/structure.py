@@ -21,6 +21,19 @@ CLASSES = {  # class of each pair by its letter: the number of freedoms removed 
     "L": 2,  # cylinder on a plane
     "B": 1,  # ball on a plane
 }
+FREEDOMS_IN_SPACE = 6
+HIGHER = {"L", "B"}  # touch on a line or at a point; the others touch on a surface
+
+
+def freedoms(kind: str) -> int:
+    """Give the freedoms a spatial pair leaves, 6 less its class (STR-1).
+
+    Raises:
+        ValueError: The letter is no key of `CLASSES`.
+    """
+    if kind not in CLASSES:
+        raise ValueError(f"pair {kind!r} is none of {', '.join(CLASSES)}")
+    return FREEDOMS_IN_SPACE - CLASSES[kind]
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +118,15 @@ def fundamental_loops(pairs: Sequence[Pair]) -> tuple[tuple[int, ...], ...]:
     """
     tree = _tree(pairs)
     return tuple((at, *_path(pairs, tree, pair.other, pair.one)) for at, pair in enumerate(pairs) if at not in tree)
+
+
+def incidence_matrix(pairs: Sequence[Pair]) -> tuple[tuple[int, ...], ...]:
+    """Give the incidence matrix, a row a link in the order met, a column a pair: -1 at its first link, +1 at its other.
+
+    A loop, with signs for the sense in which its pairs are walked, is a combination of columns that vanishes, so the
+    number of independent loops is that of pairs less the rank (STR-6).
+    """
+    return tuple(tuple((pair.other == link) - (pair.one == link) for pair in pairs) for link in _links(pairs))
 
 
 def independent(loops: Iterable[Iterable[int]]) -> bool:

@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from graders.language.program import Arithmetic, Builder, Runner
-from graders.language.tree import Number, Tree, names
+from graders.language.tree import Grid, Number, Tree, children, names
 
 DEGREE = math.pi / 180
 
@@ -79,7 +79,8 @@ def domain_test(
     """Make a test that tells in doubles whether a formula and the lines it stands on have a value at a point."""
     builder = Builder(names)
     slots = [builder.define(name, line) for name, line in lines]
-    runner = Runner(builder.program(builder.add(tree), *slots), DOUBLES)
+    entries = children(tree) if isinstance(tree, Grid) else (tree,)
+    runner = Runner(builder.program(*map(builder.add, entries), *slots), DOUBLES)
 
     def defined(point: tuple[float, ...]) -> bool:
         try:

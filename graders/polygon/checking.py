@@ -74,7 +74,7 @@ def judge(drawn: Drawn, mechanism: Mechanism) -> Judged:
     """Check vectors, closures and projections of a polygon; what was found is kept for the judges beside it."""
     named = name(drawn, states_of(mechanism))
     named.flaws = [*links(drawn, mechanism), *named.flaws]
-    judged = Judged(drawn, mechanism, named, walk(drawn, mechanism), free_rows(named, drawn.names))
+    judged = Judged(drawn, mechanism, named, walk(drawn, mechanism), free_rows(named, drawn.names, mechanism.derived))
     for equation in drawn.equations:
         judged.satisfied[equation] = _satisfied(judged, equation)
     _angles_of_another_kind(judged)

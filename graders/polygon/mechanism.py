@@ -33,6 +33,7 @@ class Mechanism:
         velocity: The differentiated projections of that polygon.
         acceleration: The projections differentiated twice.
         states: Gives true states, at least sixteen, none near a dead position.
+        derived: Names of the task that follow from others, with their formulas, in the order of solving.
         own: The student's polygon, beside which derivatives are judged; None for the one above.
     """
 
@@ -42,6 +43,7 @@ class Mechanism:
     loops: int = 1
     velocity: str = ""
     acceleration: str = ""
+    derived: tuple[tuple[str, str], ...] = ()
     own: Drawn | None = None
 
     @property

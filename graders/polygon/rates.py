@@ -103,7 +103,7 @@ class _Meaning:
         letter, index = _indexed(name)
         what, order = FAMILIES.get(letter, ("", 0))
         fitting = [own for own in self.unknowns if self.named.owners[own][1] == what]
-        same = [own for own in fitting if index and _indexed(own)[1] == index]
+        same = [own for own in fitting if index and index in _below(own)]
         chosen = same if len(same) == 1 else fitting
         return (chosen[0], order) if len(chosen) == 1 else None
 
@@ -113,6 +113,12 @@ def _indexed(name: str) -> tuple[str, str]:
     letter, mark, index = name.partition("_")
     stem = letter.rstrip("0123456789")
     return stem, index if mark else letter[len(stem) :]
+
+
+def _below(own: str) -> tuple[str, ...]:
+    """Give what may stand below the letter of a rate: `v_D`, `v_x`, `v_xD` and `v_Dx` are rates of `x_D`."""
+    letter, index = _indexed(own)
+    return (index, letter, letter + index, index + letter)
 
 
 def _ties(named: Named) -> dict[str, tuple[str, int]]:
@@ -188,7 +194,7 @@ class _Check:
 
     def __post_init__(self) -> None:
         """Take free values and rates, those of the task's rates as they belong together."""
-        self.rows = free_rows(self.judged.named, self.judged.drawn.names)
+        self.rows = free_rows(self.judged.named, self.judged.drawn.names, self.judged.mechanism.derived)
         for row in self.rows:
             for name, (own, order) in self.meaning.ties.items():
                 row[name] = (row[own][order], row[own][order + 1] if order < 2 else 0.0, 0.0)

@@ -8,6 +8,7 @@ from itertools import combinations
 from math import cos, inf, sin
 
 from graders.language.doubles import UndefinedError
+from graders.language.parser import parse_line
 from graders.language.tree import Tree
 from graders.polygon.drawn import Axis, Drawn
 from graders.polygon.jets import Trio, jet, runner
@@ -57,8 +58,12 @@ def truth(residual: Residual, rows: Iterable[Mapping[str, float]]) -> bool | Non
     return (True if worst <= TRUE else None) if seen else False
 
 
-def free_rows(named: Named, more: Iterable[str] = ()) -> list[dict[str, Trio]]:
-    """Give values and rates that are bound by nothing, so that only equal formulas agree; what rests keeps no rate."""
+def free_rows(named: Named, more: Iterable[str] = (), derived: Iterable[tuple[str, str]] = ()) -> list[dict[str, Trio]]:
+    """Give values and rates that are bound by nothing, so that only equal formulas agree.
+
+    What rests keeps no rate, and what the task derives from other names follows from them.
+    """
+    lines = [(name, parse_line(line)) for name, line in derived]
     every = sorted({*named.rows[0], *more})
     moves = {name: tuple(any(trio[k] for trio in named.of(name)) for k in (1, 2)) for name in named.rows[0]}
     rows = []
@@ -68,6 +73,8 @@ def free_rows(named: Named, more: Iterable[str] = ()) -> list[dict[str, Trio]]:
             first, second, third = (_fraction(7 * at + 3 * k + 1, draw) for k in range(3))
             speeds, pushes = moves.get(name, (True, True))
             row[name] = (0.3 + first, 0.4 + second if speeds else 0.0, 0.7 + third if pushes else 0.0)
+        for name, line in lines:
+            row[name] = jet(line, row)
         rows.append(row)
     return rows
 

@@ -12,7 +12,7 @@ from math import isfinite
 from typing import Any, Protocol
 
 from mechanics.wire.reading import Repeated
-from mechanics.wire.refusal import Refusal, below, shown
+from mechanics.wire.refusal import Refusal, below, below_foreign, shown
 
 NEEDED: Any = object()  # the default of a field that may not be left out
 
@@ -65,6 +65,8 @@ class Number:
         return number
 
     def _require_range(self, number: float, place: str) -> None:
+        if self.above is self.least is self.below is self.most is None:
+            return
         limits = (
             (self.above is not None and number <= self.above, "above", self.above),
             (self.least is not None and number < self.least, "at least", self.least),
@@ -212,7 +214,7 @@ class MapOf:
         found = _object(value, place)
         if len(found) > self.most:
             raise Refusal("out_of_range", f"{place} must have at most {self.most} entries, not {len(found)}", place)
-        return {name: self.item.read(one, below(place, name)) for name, one in found.items()}
+        return {name: self.item.read(one, below_foreign(place, name)) for name, one in found.items()}
 
     def schema(self) -> dict[str, Any]:
         """Describe the object."""
@@ -232,7 +234,7 @@ class Record:
         found = _object(value, place)
         for name in found:
             if name not in self.fields:
-                known, at = ", ".join(self.fields), below(place, name)
+                known, at = ", ".join(self.fields), below_foreign(place, name)
                 raise Refusal("unknown_field", f"there is no field {at}; the fields are {known}", at)
         return {name: _field(kind, found, name, place) for name, kind in self.fields.items()}
 
@@ -301,7 +303,7 @@ def _field(kind: Kind, found: Mapping[str, Any], name: str, place: str) -> Any:
 
 def _object(value: Any, place: str) -> Mapping[str, Any]:
     if isinstance(value, Repeated):
-        at = below(place, value.name)
+        at = below_foreign(place, value.name)
         raise Refusal("repeated_field", f"the field {at} stands twice", at)
     if not isinstance(value, Mapping):
         raise _wrong(place, value, "an object")

@@ -35,5 +35,9 @@ def shown(value: Any) -> str:
 
 def below(place: str, name: str) -> str:
     """Give the place of a field of the object at a place."""
-    name = shown(name)[1:-1]
     return f"{place}.{name}" if place else name
+
+
+def below_foreign(place: str, name: str) -> str:
+    """Give the place of a field whose name is not ours."""
+    return below(place, shown(name)[1:-1])

@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 import pytest
 
-from mechanics.mobility import Joint, plane, space
+from mechanics.mobility import Joint, local_freedoms, plane, space
 
 
 def bar(*at: float, links: str) -> Joint:
@@ -69,6 +69,8 @@ def test_a_slider_crank_and_a_cam_with_a_roller() -> None:
         bar(0.25, 1.5, links="23"),
         Joint("P", ("3", "0"), (0.25, 2.0), (0, 1)),
     ]
+    assert local_freedoms("0123", cam) == {"2": 1}  # welded to the follower the roller leaves one freedom
+    assert local_freedoms("0123", slider) == {}
     found = plane("0123", cam)
     assert (found.formula, found.true, found.classes) == (2, 2, {5: 3, 4: 1})  # the roller's own turn is one of them
 
@@ -99,16 +101,25 @@ def test_a_planar_four_bar_in_space_has_three_passive_constraints() -> None:
 
 
 def test_a_coupler_with_two_spheres_spins() -> None:
-    found = space(
-        "0123",
-        [
-            axis("R", "01", (0, 0, 0), (1, 0, 0)),
-            Joint("S", ("1", "2"), (0, 0.6, 0.8)),
-            Joint("S", ("2", "3"), (2, 1, 1.5)),
-            axis("R", "30", (2, 1, 0), (0, 1, 0)),
-        ],
-    )
+    joints = [
+        axis("R", "01", (0, 0, 0), (1, 0, 0)),
+        Joint("S", ("1", "2"), (0, 0.6, 0.8)),
+        Joint("S", ("2", "3"), (2, 1, 1.5)),
+        axis("R", "30", (2, 1, 0), (0, 1, 0)),
+    ]
+    found = space("0123", joints)
     assert (found.formula, found.true, found.passive) == (2, 2, 0)
+    assert local_freedoms("0123", joints, in_space=True) == {"2": 1}
+
+
+def test_local_freedoms_need_places() -> None:
+    with pytest.raises(ValueError, match="joint 1: local freedoms need the place"):
+        local_freedoms("01", [Joint("R", ("0", "1"))])
+
+
+def test_a_link_in_no_joint_is_named() -> None:
+    with pytest.raises(ValueError, match="link '7' is in no joint"):
+        plane("017", [bar(0, 0, links="01")])
 
 
 @pytest.mark.parametrize(("kind", "freedoms"), [("R", 1), ("P", 1), ("H", 1), ("C", 2), ("U", 2), ("S", 3), ("E", 3),

@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechanics.assur import decompose
+from mechanics.assur import decompose, dyad_form, lower_pairs
 from mechanics.errors import AssemblyError
 from mechanics.structure import (
+    CLASSES,
     Pair,
     chain_of,
     count_loops,
     expanded,
+    freedoms,
     fundamental_loops,
+    incidence_matrix,
     independent,
     manoeuvrability,
     planar_mobility,
@@ -87,6 +91,24 @@ def test_the_number_of_loops_is_that_of_the_tree_for_any_connected_graph(edges: 
     assert len(loops) == count_loops(pairs) and independent(loops)
 
 
+def test_a_walked_loop_is_a_combination_of_columns_that_vanishes() -> None:
+    """STR-6: the number of loops is that of pairs less the rank of the incidence matrix."""
+    columns = np.array(incidence_matrix(VP5))
+    assert np.array_equal(columns.sum(axis=0), np.zeros(7))
+    assert len(VP5) - np.linalg.matrix_rank(columns) == count_loops(VP5)
+    assert np.array_equal(columns[:, :4].sum(axis=1), np.zeros(6))  # 0-1-2-3-0, walked as the pairs are written
+
+
+@pytest.mark.parametrize(("kind", "left"), list(zip("RPHCUSELB", (1, 1, 1, 2, 2, 3, 3, 4, 5), strict=True)))
+def test_freedoms_and_constraints_of_a_pair_are_six(kind: str, left: int) -> None:
+    assert freedoms(kind) == left and freedoms(kind) + CLASSES[kind] == 6
+
+
+def test_an_unknown_pair_is_refused() -> None:
+    with pytest.raises(ValueError, match="pair 'X'"):
+        freedoms("X")
+
+
 def test_chains_are_told_apart() -> None:
     assert (chain_of(FOUR_BAR).compound, chain_of(FOUR_BAR).form) == (False, "closed")  # VP-4
     assert (chain_of(VP5).compound, chain_of(VP5).form) == (True, "closed")
@@ -127,6 +149,23 @@ def test_the_class_depends_on_the_driver() -> None:
     ]  # fmt: skip
     assert decompose(pairs, ["1"]).klass == 2
     assert decompose(pairs, ["5"]).klass == 3
+
+
+def test_a_cam_becomes_a_four_bar_of_the_same_mobility() -> None:
+    """Cam 1 on the frame, follower 2 that swings on it: the contact is replaced by a link."""
+    cam = [Pair("0", "1"), Pair("1", "2", 4), Pair("2", "0")]
+    lower = lower_pairs(cam)
+    assert lower == (Pair("0", "1"), Pair("1", "1~2"), Pair("1~2", "2"), Pair("2", "0"))
+    assert planar_mobility(2, 2, 1) == planar_mobility(3, len(lower)) == 1
+    assert decompose(lower, ["1"]).formula == "I(0,1) -> II(1~2,2)"
+
+
+def test_the_forms_of_a_dyad_are_five() -> None:
+    words = [a + b + c for a in "RP" for b in "RP" for c in "RP" if a + b + c != "PPP"]
+    assert {dyad_form(*word) for word in words} == {"RRR", "RRP", "RPR", "PRP", "RPP"}
+    assert dyad_form(*"PRR") == "RRP" and dyad_form(*"PPR") == "RPP"
+    with pytest.raises(ValueError, match="PPP is no dyad"):
+        dyad_form(*"PPP")
 
 
 def test_what_is_no_sum_of_groups_is_refused() -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from itertools import accumulate
 
 from exercises.exercise import Steps
 from graders import States
@@ -53,11 +55,16 @@ def motion(table: str, joints: str, tool: Vector, givens: Mapping[str, float], s
     points = []
     for point in states.points:
         drawn = dict(zip(states.names, point, strict=True))
-        points.append({name: drawn[name] if name in variables else value for name, value in givens.items()})
-    poses = [_poses(numbers(table, values)) for values in points]
+        points.append(tuple(drawn[name] if name in variables else value for name, value in givens.items()))
+    return _moved(table, tool, tuple(givens), tuple(points))
+
+
+@lru_cache(maxsize=64)
+def _moved(table: str, tool: Vector, names: tuple[str, ...], points: tuple[tuple[float, ...], ...]) -> Motion:
+    poses = [_poses(numbers(table, dict(zip(names, point, strict=True)))) for point in points]
     return Motion(
-        names=tuple(givens),
-        points=tuple(tuple(values.values()) for values in points),
+        names=names,
+        points=points,
         links=tuple(tuple(frames[1:]) for frames in poses),
         axes=tuple(tuple(Axis(origin(frame), axis_z(frame)) for frame in frames[:-1]) for frames in poses),
         tool=tool,
@@ -69,5 +76,4 @@ def motion(table: str, joints: str, tool: Vector, givens: Mapping[str, float], s
 def _poses(rows: Sequence[Sequence[float]]) -> list[Frame]:
     """The frames 0 to n by the closed form of the pair matrices."""
     matrices = [chain.pair_matrix(theta, d, a, alpha) for theta, d, a, alpha in rows]
-    poses = [transform.product(*matrices[:count]) for count in range(len(rows) + 1)]
-    return [frame_of(pose) for pose in poses]
+    return [frame_of(pose) for pose in accumulate(matrices, transform.product, initial=transform.IDENTITY)]

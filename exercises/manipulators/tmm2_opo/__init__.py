@@ -1,0 +1,108 @@
+"""TMM-2, manipulator OPO: polygon, derivatives, velocity and acceleration of the gripper (domain VP-7, RP-2).
+
+Nodes A (revolute), B (slide), C (revolute), D (gripper). Theta1 from +X; the slide runs along AB or across it, to the
+left; Theta3 from the direction of AB or from +X, as the task says. Angles counter-clockwise, radians inside.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given, option
+from exercises.givens import numbers
+from exercises.manipulators import _arm
+from exercises.manipulators._arm import Side, Sides, motion
+from exercises.manipulators._arm.drawing import accelerations, angles, clear, lengths, rates
+from exercises.manipulators._arm.motion import Arm, Pair
+from graders import States
+from graders.polygon.mechanism import Mechanism
+
+SIDES: Sides = (
+    Side("l_AB", "Theta1", "Theta1_d", "Theta1_dd"),
+    Side("h2", "alpha2", "Theta1_d", "Theta1_dd", slides=True),
+    Side("l_CD", "alpha3", "omega3", "epsilon3"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Givens:
+    l_AB: float = given(0.2, 0.8)  # link 1, m
+    l_CD: float = given(0.2, 0.8)  # last link, m
+    h2: float = given(0.05, 0.5)  # travel of the slide, m
+    Theta1: float = given(-pi, pi)  # rad
+    Theta3: float = given(-pi, pi)  # rad
+    Theta1_d: float = given(-2, 2)  # rad/s
+    h2_d: float = given(-0.5, 0.5)  # m/s
+    Theta3_d: float = given(-2, 2)  # rad/s
+    Theta1_dd: float = given(-3, 3)  # rad/s^2
+    h2_dd: float = given(-1, 1)  # m/s^2
+    Theta3_dd: float = given(-3, 3)  # rad/s^2
+    measured: str = option("relative", "absolute")
+    slide: str = option("along", "across")
+
+
+def draw(rng: Draw) -> Givens:
+    """Draw whole centimetres and degrees; no result is the small difference of large terms."""
+    placed, kind = lengths(rng) + angles(rng), (rng.pick(("relative", "absolute")), rng.pick(("along", "across")))
+    drawn = Givens(*placed, *rates(rng, "RPR"), *accelerations(rng, "RPR"), *kind)
+    if not clear(numbers(drawn), steps(drawn), SIDES):
+        rng.reject()
+    return drawn
+
+
+def turned(relative: bool) -> Steps:
+    """Write direction and turning of the last link, where its coordinate is relative or not."""
+    marks = {"alpha3": "", "omega3": "_d", "epsilon3": "_dd"}
+    return {name: (f"Theta1{mark} + " if relative else "") + f"Theta3{mark}" for name, mark in marks.items()}
+
+
+def slid(givens: Givens, link: str) -> str:
+    """Write the direction of the slide on a link."""
+    return link if givens.slide == "along" else f"{link} + pi/2"
+
+
+def steps(givens: Givens) -> Steps:
+    """Directions of slide and last link, then all that follows from the polygon."""
+    return _arm.steps({"alpha2": slid(givens, "Theta1"), **turned(givens.measured == "relative")}, SIDES)
+
+
+def arm(givens: Givens) -> Arm:
+    """Give the arm as bodies: 1 AB with the guide, 2 the rod of the slide, 3 CD with the gripper."""
+    datum, turn = int(givens.measured == "relative"), 0.0 if givens.slide == "along" else pi / 2
+    pairs = Pair("turn", "Theta1"), Pair("slide", "h2", "l_AB", turn=turn), Pair("turn", "Theta3", datum=datum)
+    return Arm(pairs, tip="l_CD")
+
+
+def oracle(givens: Givens) -> Values:
+    """The same names by another way: bodies and joints, Newton's method, linear equations for the rates."""
+    return motion.oracle(arm(givens), numbers(givens), doubled="l_AB")
+
+
+def judged_by(givens: Givens, values: Values, states: States) -> Mechanism:
+    """Give the true motion at the drawn states."""
+    return motion.mechanism(arm(givens), SIDES, steps(givens), states)
+
+
+def rate_alone(givens: Givens) -> Steps:
+    """The turning of the last link taken from its own coordinate only."""
+    return {"omega3": "Theta3_d", "epsilon3": "Theta3_dd"} if givens.measured == "relative" else {}
+
+
+EXERCISE = Exercise(
+    systems=("VP-7", "RP-2"),
+    givens=Givens,
+    draw=draw,
+    steps=steps,
+    oracle=oracle,
+    answers=_arm.answers(),
+    references=_arm.references(judged_by),
+    mistakes={
+        "angle_of_the_other_kind": Mistake(lambda g: turned(g.measured != "relative")),
+        "rate_alone": Mistake(rate_alone),
+        "slide_turned_with_the_last_link": Mistake(lambda g: {"alpha2": slid(g, "Theta1 + Theta3")}),
+        "degrees_as_radians": Mistake(Theta1="Theta1*180/pi", Theta3="Theta3*180/pi"),
+        **_arm.slips(lambda _: SIDES),
+    },
+    minutes=90,
+)
