@@ -8,17 +8,16 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
-from math import atan2, cos, sin, sqrt
+from math import acos, atan2, cos, sin
 from typing import Literal, get_args
 
+from mechanics import dyad
 from mechanics.checks import finite, positive
-from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import LinkageMotion, Singular
 
 Mode = Literal["C_left_of_BD", "C_right_of_BD"]
 
-REACH = 1e-12  # a gap below this part of the size is rounding, not distance
-DEAD = 1e-7  # sine of the angle between coupler and rocker below which it is the root of a rounding error
+NAMES = dyad.Names("B", "D", "coupler", "rocker")
 DEAD_NAME = "coupler and rocker in line"
 _LARGEST = sys.float_info.max
 
@@ -51,7 +50,8 @@ def position(l1: float, l2: float, l3: float, l4: float, alpha1: float, mode: Mo
         Domain VP-4.
     """
     _check(l1, l2, l3, l4, alpha1, mode)
-    x2, y2, x3, y3 = _vectors(l1 * cos(alpha1), l1 * sin(alpha1), l2, l3, l4, mode)
+    dx, dy = l4 - l1 * cos(alpha1), -l1 * sin(alpha1)
+    x2, y2, x3, y3, _ = dyad.vectors(dx, dy, l2, l3, mode == "C_left_of_BD", NAMES)
     return Position(atan2(y2, x2), atan2(y3, x3))
 
 
@@ -73,29 +73,31 @@ def _check(l1: float, l2: float, l3: float, l4: float, alpha1: float, mode: str)
         raise ValueError(f"mode must be {' or '.join(get_args(Mode))}, not {mode!r}")
 
 
-def _vectors(x1: float, y1: float, l2: float, l3: float, l4: float, mode: Mode) -> tuple[float, float, float, float]:
-    """Give BC and DC: C is the corner of the triangle over BD, its height by Heron's formula."""
-    dx, dy = l4 - x1, -y1
-    square = dx * dx + dy * dy
-    f = sqrt(square)
-    heron = (l2 + l3 + f) * (l2 + l3 - f) * (l3 - l2 + f) * (l2 - l3 + f)
-    if heron <= 0.0:
-        heron = _stretched(f, l2, l3)
-    along = (l2 * l2 - l3 * l3 + square) / (2 * square)
-    across = sqrt(heron) / (2 * square)
-    if mode == "C_right_of_BD":
-        across = -across
-    x2, y2 = along * dx - across * dy, along * dy + across * dx
-    return x2, y2, x2 - dx, y2 - dy
+def motion(
+    l1: float,
+    l2: float,
+    l3: float,
+    l4: float,
+    alpha1: float,
+    omega1: float = 0.0,
+    epsilon1: float = 0.0,
+    mode: Mode = "C_left_of_BD",
+) -> tuple[float, float, float, float, float, float]:
+    """Give alpha2, alpha3, omega2, omega3, epsilon2, epsilon3; arguments and errors as for `solve`.
 
-
-def _stretched(f: float, l2: float, l3: float) -> float:
-    """Let a gap of rounding pass as coupler and rocker in line; refuse a real one."""
-    gap = max(f - l2 - l3, abs(l2 - l3) - f)
-    if f == 0.0 or gap > REACH * max(f, l2, l3):
-        side = "too far for" if f > abs(l2 - l3) else "too near for"
-        raise AssemblyError(f"B and D are {f:.6g} m apart, {side} coupler {l2:g} m and rocker {l3:g} m to meet")
-    return 0.0
+    The plain numbers of `solve`, for long sweeps.
+    """
+    _check(l1, l2, l3, l4, alpha1, mode)
+    if not abs(omega1) + abs(epsilon1) <= _LARGEST:
+        _refuse(omega1, epsilon1, 0.0, 0.0)
+    x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
+    at = dyad.vectors(l4 - x1, -y1, l2, l3, mode == "C_left_of_BD", NAMES)
+    x2, y2, x3, y3, cross = at
+    if abs(cross) < dyad.DEAD * l2 * l3:
+        dyad.measure(cross, l2, l3, f"{DEAD_NAME} at {alpha1:g} rad")
+    square = omega1 * omega1
+    velocity, acceleration = (omega1 * y1, -omega1 * x1), (epsilon1 * y1 + square * x1, square * y1 - epsilon1 * x1)
+    return atan2(y2, x2), atan2(y3, x3), *dyad.rates(at, velocity, acceleration)
 
 
 def solve(
@@ -128,32 +130,22 @@ def solve(
 
     Raises:
         ValueError: A length is not positive and finite, another value not finite, or the mode unknown.
-        AssemblyError: Coupler and rocker cannot meet.
+        AssemblyError: Coupler and rocker cannot meet; the message has the gap.
         SingularError: Coupler and rocker are in line, where their rates are not determined.
 
     Source:
         Domain VP-4; the rates from the closure times the direction of the other vector.
     """
-    _check(l1, l2, l3, l4, alpha1, mode)
     u, v = coupler_point
-    if not abs(omega1) + abs(epsilon1) + abs(u) + abs(v) <= _LARGEST:
-        _refuse(omega1, epsilon1, u, v)
+    if not abs(u) + abs(v) <= _LARGEST:
+        _refuse(0.0, 0.0, u, v)
+    alpha2, alpha3, omega2, omega3, epsilon2, epsilon3 = motion(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
     x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
-    x2, y2, x3, y3 = _vectors(x1, y1, l2, l3, l4, mode)
-    cross = x2 * y3 - y2 * x3
-    measure = abs(cross) / (l2 * l3)
-    if measure < DEAD:
-        raise SingularError(f"{DEAD_NAME} at {alpha1:g} rad: their angular velocities are not determined")
-    omega2 = -omega1 * (x1 * y3 - y1 * x3) / cross
-    omega3 = -omega1 * (x1 * y2 - y1 * x2) / cross
-    square1, square2, square3 = omega1 * omega1, omega2 * omega2, omega3 * omega3
-    kx = -epsilon1 * y1 - square1 * x1 - square2 * x2 + square3 * x3
-    ky = epsilon1 * x1 - square1 * y1 - square2 * y2 + square3 * y3
-    epsilon2 = -(kx * x3 + ky * y3) / cross
-    epsilon3 = -(kx * x2 + ky * y2) / cross
-    px, py = (u * x2 - v * y2) / l2, (u * y2 + v * x2) / l2  # BP
+    c, s = cos(alpha2), sin(alpha2)
+    px, py = u * c - v * s, u * s + v * c  # BP
+    square1, square2 = omega1 * omega1, omega2 * omega2
     return LinkageMotion(
-        {"alpha2": atan2(y2, x2), "alpha3": atan2(y3, x3), "P_x": x1 + px, "P_y": y1 + py},
+        {"alpha2": alpha2, "alpha3": alpha3, "P_x": x1 + px, "P_y": y1 + py},
         {"alpha2": omega2, "alpha3": omega3, "P_x": -omega1 * y1 - omega2 * py, "P_y": omega1 * x1 + omega2 * px},
         {
             "alpha2": epsilon2,
@@ -161,7 +153,7 @@ def solve(
             "P_x": -epsilon1 * y1 - square1 * x1 - epsilon2 * py - square2 * px,
             "P_y": epsilon1 * x1 - square1 * y1 + epsilon2 * px - square2 * py,
         },
-        Singular(measure, DEAD_NAME),
+        Singular(abs(sin(alpha3 - alpha2)), DEAD_NAME),
     )
 
 
@@ -175,3 +167,23 @@ def _refuse(omega1: float, epsilon1: float, u: float, v: float) -> None:
 def crank_turns(l1: float, l2: float, l3: float, l4: float) -> bool:
     """Tell whether the crank turns fully: |l1 - l4| and l1 + l4 are distances that coupler and rocker can span."""
     return l1 + l4 <= l2 + l3 and abs(l1 - l4) >= abs(l2 - l3)
+
+
+def dead_positions(l1: float, l2: float, l3: float, l4: float) -> tuple[float, ...]:
+    """Give the crank angles in [0, pi] where coupler and rocker are in line, rising; their mirror images are others.
+
+    Args:
+        l1: Crank length, in metres, positive.
+        l2: Coupler length, in metres, positive.
+        l3: Rocker length, in metres, positive.
+        l4: Distance of the frame pivots, in metres, positive.
+
+    Returns:
+        None, one or two angles, in radians.
+
+    Source:
+        The law of cosines in the triangle ABD with BD = |l2 - l3| and BD = l2 + l3.
+    """
+    _check(l1, l2, l3, l4, 0.0, "C_left_of_BD")
+    cosines = [(l1 * l1 + l4 * l4 - apart * apart) / (2 * l1 * l4) for apart in (abs(l2 - l3), l2 + l3)]
+    return tuple(acos(cosine) for cosine in cosines if -1 <= cosine <= 1)

@@ -6,8 +6,9 @@ that of the vector from crank pin to slider. Closure: l1 e(alpha1) + l2 e(alpha2
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass
-from math import atan2, cos, sin, sqrt
+from math import asin, atan2, cos, pi, sin, sqrt
 from typing import Literal, get_args
 
 from mechanics.checks import finite, positive
@@ -18,20 +19,14 @@ Branch = Literal["slider_right", "slider_left"]
 
 REACH = 1e-12  # a gap below this part of the rod is rounding, not distance
 DEAD = 1e-7  # cos alpha2 below this cannot be told from 0: it is the root of a rounding error
+DEAD_NAME = "rod perpendicular to the guide"
+_LARGEST = sys.float_info.max
 
 
 @dataclass(frozen=True, slots=True)
 class Position:
     rod_angle: float  # alpha2, rad, in (-pi, pi]
     slider: float  # l3, slider coordinate along OX, m
-
-
-@dataclass(frozen=True, slots=True)
-class _Geometry:
-    sin1: float
-    cos1: float
-    sin2: float
-    cos2: float
 
 
 def position(
@@ -56,25 +51,68 @@ def position(
     Source:
         Domain VP-2 (4), (5); VP-3: sin a2 = (h - l1 sin a1)/l2.
     """
-    at = _geometry(crank, rod, crank_angle, offset, branch)
-    return Position(principal(atan2(at.sin2, at.cos2)), crank * at.cos1 + rod * at.cos2)
+    y2 = offset - crank * sin(crank_angle)
+    x2 = sqrt(_square(crank, rod, crank_angle, offset, branch, y2))
+    if branch == "slider_left":
+        x2 = -x2
+    return Position(principal(atan2(y2, x2)), crank * cos(crank_angle) + x2)
 
 
-def _geometry(crank: float, rod: float, crank_angle: float, offset: float, branch: Branch) -> _Geometry:
-    positive("crank l1", crank, "m")
-    positive("rod l2", rod, "m")
-    finite("crank angle alpha1", crank_angle, "rad")
-    finite("offset", offset, "m")
-    if branch not in get_args(Branch):
-        raise ValueError(f"branch must be slider_right or slider_left, not {branch!r}")
-    sin1 = sin(crank_angle)
-    climb = offset - crank * sin1
-    gap = abs(climb) - rod
+def _square(crank: float, rod: float, crank_angle: float, offset: float, branch: str, y2: float) -> float:
+    """Check all values and give the square of the rod's projection on the guide."""
+    if not (0 < crank <= _LARGEST and 0 < rod <= _LARGEST and abs(crank_angle) + abs(offset) <= _LARGEST):
+        positive("crank l1", crank, "m")
+        positive("rod l2", rod, "m")
+        finite("crank angle alpha1", crank_angle, "rad")
+        finite("offset", offset, "m")
+    if branch not in ("slider_right", "slider_left"):
+        raise ValueError(f"branch must be {' or '.join(get_args(Branch))}, not {branch!r}")
+    gap = abs(y2) - rod
     if gap > REACH * rod:
         raise AssemblyError(f"rod {rod:g} m cannot reach the guide at {crank_angle:g} rad: {gap:.4g} m are missing")
-    sin2 = max(-1.0, min(1.0, climb / rod))
-    cos2 = sqrt((1 - sin2) * (1 + sin2))
-    return _Geometry(sin1, cos(crank_angle), sin2, cos2 if branch == "slider_right" else -cos2)
+    return max(0.0, (rod - y2) * (rod + y2))
+
+
+def motion(
+    l1: float,
+    l2: float,
+    alpha1: float,
+    omega1: float = 0.0,
+    epsilon1: float = 0.0,
+    offset: float = 0.0,
+    branch: Branch = "slider_right",
+) -> tuple[float, float, float, float, float, float]:
+    """Give alpha2, slider, omega2, slider speed, epsilon2, slider acceleration; arguments and errors as for `solve`.
+
+    The plain numbers of `solve`, for long sweeps.
+    """
+    if not abs(alpha1) + abs(omega1) + abs(epsilon1) <= _LARGEST:
+        _refuse(alpha1, omega1, epsilon1)
+    x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
+    y2 = offset - y1
+    square = (l2 - y2) * (l2 + y2)
+    if not (0 < l1 <= _LARGEST and 0 < l2 <= _LARGEST and DEAD * DEAD * l2 * l2 <= square) or branch != "slider_right":
+        square = _square(l1, l2, alpha1, offset, branch, y2)
+        if square < DEAD * DEAD * l2 * l2:
+            raise SingularError(f"{DEAD_NAME} at {alpha1:g} rad: the angular velocity of the rod is not determined")
+    x2 = sqrt(square) if branch == "slider_right" else -sqrt(square)
+    omega2 = -omega1 * x1 / x2  # (8)
+    square1, square2 = omega1 * omega1, omega2 * omega2
+    epsilon2 = (square1 * y1 - epsilon1 * x1 + square2 * y2) / x2  # (12)
+    return (
+        principal(atan2(y2, x2)),
+        x1 + x2,  # (5)
+        omega2,
+        -omega1 * y1 - omega2 * y2,  # (9)
+        epsilon2,
+        -square1 * x1 - epsilon1 * y1 - square2 * x2 - epsilon2 * y2,  # (13)
+    )
+
+
+def _refuse(alpha1: float, omega1: float, epsilon1: float) -> None:
+    finite("crank angle alpha1", alpha1, "rad")
+    finite("omega1", omega1, "rad/s")
+    finite("epsilon1", epsilon1, "rad/s^2")
 
 
 def solve(
@@ -109,43 +147,19 @@ def solve(
         SingularError: The rod is perpendicular to the guide, where its rates are not determined.
 
     Source:
-        Domain VP-2 (4), (5), (8), (9), (12), (13); VP-3.
+        Domain VP-2 (4), (5), (8), (9), (12), (13); VP-3. S divides the way from crank pin to slider.
     """
-    finite("omega1", omega1, "rad/s")
-    finite("epsilon1", epsilon1, "rad/s^2")
-    finite("point_S_fraction_of_l2", point_S_fraction_of_l2, "")
-    at = _geometry(l1, l2, alpha1, offset, branch)
-    s1, c1, s2, c2 = at.sin1, at.cos1, at.sin2, at.cos2
-    if abs(c2) < DEAD:
-        raise SingularError(f"rod perpendicular to the guide at {alpha1:g} rad: its angular velocity is not determined")
-    omega2 = -l1 * omega1 * c1 / (l2 * c2)  # (8)
-    epsilon2 = (l1 * (omega1**2 * s1 - epsilon1 * c1) + l2 * omega2**2 * s2) / (l2 * c2)  # (12)
-    pin = _arm(l1, c1, s1, omega1, epsilon1)
-    rod = _arm(l2, c2, s2, omega2, epsilon2)
-    angles = principal(atan2(s2, c2)), omega2, epsilon2
-    return _motion(angles, pin, rod, point_S_fraction_of_l2, Singular(abs(c2), "rod perpendicular to the guide"))
-
-
-def _motion(
-    angles: tuple[float, ...], pin: tuple[float, ...], rod: tuple[float, ...], fraction: float, singular: Singular
-) -> LinkageMotion:
-    slider = [p + r for p, r in zip(pin, rod, strict=True)]  # (5), (9), (13)
-    point = [p + fraction * r for p, r in zip(pin, rod, strict=True)]
-    pos, vel, acc = (
-        {"alpha2": angle, "slider_x": slider[k], "S_x": point[k], "S_y": point[k + 3]} for k, angle in enumerate(angles)
-    )
-    return LinkageMotion(pos, vel, acc, singular)
-
-
-def _arm(length: float, c: float, s: float, omega: float, epsilon: float) -> tuple[float, ...]:
-    """x and its two derivatives, then y and its two, of a turning vector."""
-    return (
-        length * c,
-        -length * omega * s,
-        -length * (omega**2 * c + epsilon * s),
-        length * s,
-        length * omega * c,
-        length * (epsilon * c - omega**2 * s),
+    k = point_S_fraction_of_l2
+    finite("point_S_fraction_of_l2", k, "")
+    alpha2, x, omega2, v, epsilon2, a = motion(l1, l2, alpha1, omega1, epsilon1, offset, branch)
+    x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
+    vx, vy = -omega1 * y1, omega1 * x1
+    ax, ay = -epsilon1 * y1 - omega1 * vy, epsilon1 * x1 + omega1 * vx
+    return LinkageMotion(
+        {"alpha2": alpha2, "slider_x": x, "S_x": x1 + k * (x - x1), "S_y": y1 + k * (offset - y1)},
+        {"alpha2": omega2, "slider_x": v, "S_x": vx + k * (v - vx), "S_y": vy - k * vy},
+        {"alpha2": epsilon2, "slider_x": a, "S_x": ax + k * (a - ax), "S_y": ay - k * ay},
+        Singular(abs(cos(alpha2)), DEAD_NAME),
     )
 
 
@@ -167,3 +181,23 @@ def stroke(crank: float, rod: float, offset: float = 0.0) -> float:
         raise AssemblyError(f"crank {crank:g} m cannot turn fully: rod {rod:g} m is {missing:.4g} m too short")
     far, near = crank + rod, rod - crank
     return sqrt((far - offset) * (far + offset)) - sqrt(max(0.0, (near - offset) * (near + offset)))
+
+
+def dead_positions(crank: float, rod: float, offset: float = 0.0) -> tuple[float, ...]:
+    """Give the crank angles in (-pi, pi] where the rod is perpendicular to the guide, rising.
+
+    Raises:
+        ValueError: A length is not positive and finite, or the offset not finite.
+
+    Source:
+        The closure with cos alpha2 = 0: l1 sin alpha1 = h - l2 or h + l2.
+    """
+    positive("crank l1", crank, "m")
+    positive("rod l2", rod, "m")
+    finite("offset", offset, "m")
+    found: set[float] = set()
+    for climb in (offset - rod, offset + rod):
+        if abs(climb) <= crank:
+            angle = asin(climb / crank)
+            found |= {angle, principal(pi - angle)}
+    return tuple(sorted(found))
