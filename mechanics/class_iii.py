@@ -1,0 +1,266 @@
+"""The class III unit of two ternary links by the modification method (domain HC-1 to HC-4).
+
+Ternary links 2 (B, C, E) and 4 (E, F, H) are hinged at E; legs AB, DC, GF, KH hold them to the frame pivots A, D, G, K.
+Leg DC is cut: for a given alpha5 (angle of GF) the rest is a chain of class II with two branches for each link, and the
+cut leg gives one equation Phi(alpha5) = |C - D|^2 - l_CD^2 = 0. Angles counter-clockwise from +X, in [0, 2 pi); alpha4
+is that of FH, alpha2 that of EB. A branch is two signs: the first for link 4, the second for link 2. Points are complex
+numbers x + i y in one unit of length, metres or any other.
+"""
+
+from __future__ import annotations
+
+from cmath import exp, phase
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from math import acos, cos, hypot, pi, sin, sqrt
+from typing import NamedTuple
+
+from mechanics import linear, loop
+from mechanics.checks import finite, positive
+from mechanics.errors import AssemblyError, SingularError
+
+BRANCHES = {"++": (1, 1), "+-": (1, -1), "-+": (-1, 1), "--": (-1, -1)}
+DEAD_NAME = "two assemblies meet: the closure equations are singular"
+SAME = 1e-6  # rad: two zeros as near, with the same signs, are one
+ROUNDS, SETTLED = 30, 1e-13  # of Newton's method; its last step, rad
+
+Angles = tuple[float, float, float]  # alpha5, alpha4, alpha2
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """Pivots and lengths of the unit; sigma is +1 where C is counter-clockwise from EB (E from FH), -1 otherwise."""
+
+    A: complex
+    D: complex
+    G: complex
+    K: complex
+    l_AB: float
+    l_BC: float
+    l_BE: float
+    l_CE: float
+    l_CD: float
+    l_EF: float
+    l_EH: float
+    l_FH: float
+    l_FG: float
+    l_HK: float
+    sigma2: int = 1
+    sigma4: int = 1
+    arm_C: complex = field(init=False, repr=False)  # EC in the axis EB
+    arm_E: complex = field(init=False, repr=False)  # FE in the axis FH
+
+    def __post_init__(self) -> None:
+        for name in ("A", "D", "G", "K"):
+            finite(f"{name} x", getattr(self, name).real, "m")
+            finite(f"{name} y", getattr(self, name).imag, "m")
+        for name in ("l_AB", "l_BC", "l_BE", "l_CE", "l_CD", "l_EF", "l_EH", "l_FH", "l_FG", "l_HK"):
+            positive(name, getattr(self, name), "m")
+        for name in ("sigma2", "sigma4"):
+            if getattr(self, name) not in (1, -1):
+                raise ValueError(f"{name} must be 1 or -1, not {getattr(self, name)!r}")
+        chi2 = self.sigma2 * _corner("B-C-E", self.l_BE, self.l_CE, self.l_BC)
+        chi4 = self.sigma4 * _corner("E-F-H", self.l_FH, self.l_EF, self.l_EH)
+        object.__setattr__(self, "arm_C", self.l_CE * exp(1j * chi2))
+        object.__setattr__(self, "arm_E", self.l_EF * exp(1j * chi4))
+
+
+def _corner(name: str, one: float, other: float, opposite: float) -> float:
+    cosine = (one * one + other * other - opposite * opposite) / (2 * one * other)
+    if not -1 <= cosine <= 1:
+        gap = max(opposite - one - other, abs(one - other) - opposite)
+        raise AssemblyError(f"the sides of the ternary link {name} make no triangle: {gap:.4g} do not fit")
+    return acos(cosine)
+
+
+class Assembly(NamedTuple):
+    alpha5: float
+    alpha4: float
+    alpha2: float
+    branch: str
+    F: complex
+    E: complex
+    C: complex
+    measure: float  # 0 where two assemblies meet, 1 farthest from it
+
+
+@dataclass(frozen=True, slots=True)
+class _Around:
+    """A closed loop s in [0, 2 pi) over a parameter t: out with one sign and back with the other, or one sign only."""
+
+    middle: float = 0.0
+    half: float = 0.0
+    sign: int = 0
+
+    def at(self, s: float) -> tuple[float, int]:
+        if self.sign:
+            return s, self.sign
+        return self.middle - self.half * cos(s), 1 if s % (2 * pi) <= pi else -1
+
+
+def constraint(unit: Unit, alpha5: float, branch: str) -> float | None:
+    """Give Phi, in squares of the unit's length; None where the branch does not exist.
+
+    Args:
+        unit: The unit.
+        alpha5: Angle of GF, in radians.
+        branch: One of `BRANCHES`.
+
+    Raises:
+        ValueError: The angle is not finite, or the branch unknown.
+
+    Source:
+        Domain HC-1 (1)-(8).
+    """
+    finite("alpha5", alpha5, "rad")
+    if branch not in BRANCHES:
+        raise ValueError(f"branch must be one of {', '.join(BRANCHES)}, not {branch!r}")
+    e4, e2 = BRANCHES[branch]
+    F = _end_of_leg(unit, alpha5)
+    if _room(unit.K - F, unit.l_FH, unit.l_HK) < 0:
+        return None
+    E = F + unit.arm_E * _direction(unit.K - F, unit.l_FH, unit.l_HK, e4)
+    if _room(unit.A - E, unit.l_BE, unit.l_AB) < 0:
+        return None
+    return _phi(unit, E, e2)
+
+
+def _end_of_leg(unit: Unit, alpha5: float) -> complex:
+    return unit.G + unit.l_FG * complex(cos(alpha5), sin(alpha5))  # (1)
+
+
+def _room(way: complex, arm: float, leg: float) -> float:
+    """The square of the triangle's height over the way, times that of the way; negative where it does not close."""
+    square = way.real * way.real + way.imag * way.imag
+    along = (arm * arm + square - leg * leg) / 2
+    return arm * arm * square - along * along
+
+
+def _direction(way: complex, arm: float, leg: float, sign: int) -> complex:
+    """Direction of the arm whose end a leg ties to the end of the way: (2) and (5) without their arccos."""
+    square = way.real * way.real + way.imag * way.imag
+    along = (arm * arm + square - leg * leg) / 2
+    room = arm * arm * square - along * along
+    return way * complex(along, sign * sqrt(room) if room > 0 else 0.0) / (square * arm)
+
+
+def _phi(unit: Unit, E: complex, e2: int) -> float:
+    cut = E + unit.arm_C * _direction(unit.A - E, unit.l_BE, unit.l_AB, e2) - unit.D  # (7)
+    return cut.real * cut.real + cut.imag * cut.imag - unit.l_CD * unit.l_CD  # (8)
+
+
+def assemblies(unit: Unit) -> tuple[Assembly, ...]:
+    """Find all real assemblies, sorted by alpha5.
+
+    Where the two signs of a link meet they are halves of one closed loop, and Phi is smooth along the loop: none hides
+    at the end of a branch. A tangency is one assembly of measure zero.
+    """
+    found: list[Assembly] = []
+    for outer in _loops(lambda alpha5: _room(unit.K - _end_of_leg(unit, alpha5), unit.l_FH, unit.l_HK)):
+
+        def joint_E(t: float, outer: _Around = outer) -> tuple[float, complex]:
+            alpha5, e4 = outer.at(t)
+            F = _end_of_leg(unit, alpha5)
+            return alpha5, F + unit.arm_E * _direction(unit.K - F, unit.l_FH, unit.l_HK, e4)
+
+        for inner in _loops(lambda t: _room(unit.A - joint_E(t)[1], unit.l_BE, unit.l_AB)):
+            found += _on_loop(unit, joint_E, inner)
+    return tuple(sorted(found, key=lambda one: one.alpha5))
+
+
+def _loops(room: Callable[[float], float]) -> list[_Around]:
+    """Divide a loop into the loops of both signs of the next link, which lives where its room is positive."""
+    ends = [zero.at for zero in loop.zeros(room) if not zero.double]
+    if not ends:
+        return [_Around(sign=1), _Around(sign=-1)] if room(0.0) > 0 else []
+    stretches = zip(ends, [*ends[1:], ends[0] + 2 * pi], strict=True)
+    return [_Around((a + b) / 2, (b - a) / 2) for a, b in stretches if room((a + b) / 2) > 0]
+
+
+def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], around: _Around) -> Iterator[Assembly]:
+    def phi(s: float) -> float:
+        t, e2 = around.at(s)
+        return _phi(unit, joint_E(t)[1], e2)
+
+    for zero in loop.zeros(phi):
+        t, e2 = around.at(zero.at)
+        alpha5, E = joint_E(t)
+        F = _end_of_leg(unit, alpha5)
+        alpha4 = phase((E - F) / unit.arm_E)
+        alpha2 = phase(_direction(unit.A - E, unit.l_BE, unit.l_AB, e2))
+        yield assembly(unit, _settled(unit, (alpha5, alpha4, alpha2)))
+
+
+def _settled(unit: Unit, start: Angles) -> Angles:
+    """Take the last digits from Newton's method, which knows no branches; a tangency keeps what the scan found."""
+    try:
+        angles = newton(unit, start)[-1]
+    except (AssemblyError, SingularError):
+        return start
+    near = all(abs(one - other) < SAME for one, other in zip(angles, start, strict=True))
+    return angles if near else start
+
+
+def assembly(unit: Unit, angles: Angles) -> Assembly:
+    """Place the joints for the three angles of an assembly, in radians, and name its branch."""
+    alpha5, alpha4, alpha2 = (angle % (2 * pi) for angle in angles)
+    F = _end_of_leg(unit, alpha5)
+    E = F + unit.arm_E * exp(1j * alpha4)
+    along4, along2 = unit.K - F, unit.A - E
+    signs = ((along.conjugate() * exp(1j * angle)).imag for along, angle in ((along4, alpha4), (along2, alpha2)))
+    branch = "".join("-" if sign < 0 else "+" for sign in signs)
+    C = E + unit.arm_C * exp(1j * alpha2)
+    return Assembly(alpha5, alpha4, alpha2, branch, F, E, C, abs(_determinant(unit, angles)))
+
+
+def newton(unit: Unit, start: Angles) -> list[Angles]:
+    """Iterate on the three closures of the uncut unit: the start, every step, and last the assembly reached.
+
+    Args:
+        unit: The unit.
+        start: alpha5, alpha4, alpha2, in radians.
+
+    Raises:
+        ValueError: An angle of the start is not finite.
+        AssemblyError: The iteration does not settle; the message has the gap.
+        SingularError: The closure equations are singular on the way.
+
+    Source:
+        Domain HC-4: f = |H-K|^2 - l_HK^2, |B-A|^2 - l_AB^2, |C-D|^2 - l_CD^2.
+    """
+    for name, angle in zip(("alpha5", "alpha4", "alpha2"), start, strict=True):
+        finite(name, angle, "rad")
+    found = [start]
+    for _ in range(ROUNDS):
+        gaps, slopes = _closures(unit, found[-1])
+        step = linear.solve(slopes, [-gap for gap in gaps])
+        a, b, c = (angle + turn for angle, turn in zip(found[-1], step, strict=True))
+        found.append((a, b, c))
+        if max(abs(turn) for turn in step) < SETTLED:
+            return found
+    gap = max(abs(gap) for gap in gaps)
+    raise AssemblyError(
+        f"no assembly is reached from this start: the closures stay {gap:.4g} (squares of length) apart"
+    )
+
+
+def _closures(unit: Unit, angles: Sequence[float]) -> tuple[list[float], list[list[float]]]:
+    alpha5, alpha4, alpha2 = (exp(1j * angle) for angle in angles)
+    GF, FH, FE, EB = unit.l_FG * alpha5, unit.l_FH * alpha4, unit.arm_E * alpha4, unit.l_BE * alpha2
+    EC = unit.arm_C * alpha2
+    F = unit.G + GF
+    legs = (
+        (F + FH - unit.K, unit.l_HK, (GF, FH, 0j)),
+        (F + FE + EB - unit.A, unit.l_AB, (GF, FE, EB)),
+        (F + FE + EC - unit.D, unit.l_CD, (GF, FE, EC)),
+    )
+    gaps = [leg.real**2 + leg.imag**2 - length**2 for leg, length, _ in legs]
+    slopes = [[2 * (leg.conjugate() * 1j * arm).real for arm in arms] for leg, _, arms in legs]
+    return gaps, slopes
+
+
+def _determinant(unit: Unit, angles: Sequence[float]) -> float:
+    """The determinant of the closures with rows of length one."""
+    _, slopes = _closures(unit, angles)
+    (a, b, c), (d, e, f), (g, h, i) = ([entry / (hypot(*row) or 1.0) for entry in row] for row in slopes)
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
