@@ -18,11 +18,15 @@ from typing import NamedTuple
 from mechanics import linear, loop
 from mechanics.checks import finite, positive
 from mechanics.errors import AssemblyError, SingularError
+from mechanics.linkage import principal
 
 BRANCHES = {"++": (1, 1), "+-": (1, -1), "-+": (-1, 1), "--": (-1, -1)}
 DEAD_NAME = "two assemblies meet: the closure equations are singular"
 SAME = 1e-6  # rad: two zeros as near, with the same signs, are one
 ROUNDS, SETTLED = 30, 1e-13  # of Newton's method; its last step, rad
+
+NARROW = 1e-3  # of the range: then the two assemblies that meet are neighbours
+DIFFERENCE = 1e-5
 
 Angles = tuple[float, float, float]  # alpha5, alpha4, alpha2
 
@@ -264,3 +268,77 @@ def _determinant(unit: Unit, angles: Sequence[float]) -> float:
     _, slopes = _closures(unit, angles)
     (a, b, c), (d, e, f), (g, h, i) = ([entry / (hypot(*row) or 1.0) for entry in row] for row in slopes)
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+
+class Critical(NamedTuple):
+    parameter: float
+    angles: Angles  # where two assemblies meet, rad
+    below: int  # assemblies just below this parameter
+    above: int
+
+
+def critical(unit_at: Callable[[float], Unit], low: float, high: float) -> list[Critical]:
+    """Find where two assemblies meet while one parameter of the unit runs from low to high.
+
+    Args:
+        unit_at: Gives the unit for a value of the parameter.
+        low: Start of the range.
+        high: End of the range.
+
+    Returns:
+        The singular positions, rising by the parameter; two that cancel each other inside the range are not seen.
+
+    Raises:
+        SingularError: More than two assemblies meet at once.
+
+    Source:
+        Domain HC-3: Phi = 0 and dPhi/dalpha5 = 0; here the closures and their determinant are zero.
+    """
+    return _critical(unit_at, (low, assemblies(unit_at(low))), (high, assemblies(unit_at(high))), high - low)
+
+
+_Counted = tuple[float, tuple[Assembly, ...]]
+
+
+def _critical(unit_at: Callable[[float], Unit], low: _Counted, high: _Counted, whole: float) -> list[Critical]:
+    """Halve the range until the two assemblies are near each other, then take the last digits by Newton's method."""
+    (start, first), (end, last) = low, high
+    if len(first) == len(last):
+        return []
+    if abs(len(first) - len(last)) == 2 and end - start < NARROW * whole:
+        parameter, angles = _meeting(unit_at, start, end, _lost(first, last))
+        return [Critical(parameter, angles, len(first), len(last))]
+    middle = (start + end) / 2
+    if not start < middle < end:
+        raise SingularError(f"more than two assemblies meet at {middle:g}")
+    half = (middle, assemblies(unit_at(middle)))
+    return _critical(unit_at, low, half, whole) + _critical(unit_at, half, high, whole)
+
+
+def _lost(first: tuple[Assembly, ...], last: tuple[Assembly, ...]) -> Angles:
+    """Give the mean angles of the two assemblies that only one side has: the nearest pair of neighbours."""
+    more = max(first, last, key=len)
+    pairs = zip(more, [*more[1:], more[0]], strict=True)
+    one, other = min(pairs, key=lambda pair: abs(pair[0].E - pair[1].E) + abs(pair[0].C - pair[1].C))
+    a, b, c = (x + principal(y - x) / 2 for x, y in zip(one[:3], other[:3], strict=True))
+    return a, b, c
+
+
+def _meeting(unit_at: Callable[[float], Unit], start: float, end: float, angles: Angles) -> tuple[float, Angles]:
+    def gaps(at: Sequence[float]) -> list[float]:
+        unit = unit_at(at[3])
+        return [*_closures(unit, at[:3])[0], _determinant(unit, at[:3])]
+
+    at = [*angles, (start + end) / 2]
+    steps = [DIFFERENCE, DIFFERENCE, DIFFERENCE, DIFFERENCE * (end - start)]
+    for _ in range(ROUNDS):
+        columns = []
+        for place, step in enumerate(steps):
+            ahead, behind = ([x + sign * step * (i == place) for i, x in enumerate(at)] for sign in (1, -1))
+            columns.append([(a - b) / (2 * step) for a, b in zip(gaps(ahead), gaps(behind), strict=True)])
+        move = linear.solve(list(zip(*columns, strict=True)), [-gap for gap in gaps(at)])
+        at = [x + dx for x, dx in zip(at, move, strict=True)]
+        if max(abs(turn) for turn in move[:3]) < SETTLED:
+            break
+    a, b, c, parameter = at
+    return parameter, (a % (2 * pi), b % (2 * pi), c % (2 * pi))

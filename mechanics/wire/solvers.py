@@ -20,6 +20,7 @@ SOLVERS = {
     "beam": "bending of a straight beam: reactions, V, M, deflection, stresses, exact extremes",
     "shaft": "torsion of a stepped round shaft: reactions, torques, stresses, twists, sizes",
     "bar": "tension and compression of a stepped bar: forces, stresses, displacements, temperature, gap",
+    "linkage": "planar linkages, manipulators, joints of shafts: positions, velocities, accelerations, dead positions",
 }
 LONGEST_ID = 200  # characters
 

@@ -1,0 +1,33 @@
+"""Zeros on a closed loop, where they are known."""
+
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+import pytest
+
+from mechanics.loop import zeros
+
+
+def test_the_zeros_of_a_sine_are_its_half_turns() -> None:
+    found = zeros(lambda t: sin(3 * t - 1))
+    assert [zero.at for zero in found] == pytest.approx([(1 + k * pi) / 3 for k in range(6)], abs=1e-12)
+    assert not any(zero.double for zero in found)
+
+
+def test_two_zeros_between_neighbours_are_seen() -> None:
+    found = zeros(lambda t: cos(t - 0.5) - cos(1e-5))
+    assert [zero.at for zero in found] == pytest.approx([0.5 - 1e-5, 0.5 + 1e-5], abs=1e-9)
+
+
+def test_a_tangency_is_one_double_zero() -> None:
+    (found,) = zeros(lambda t: 1 - cos(t - 0.51))
+    assert found.double and found.at == pytest.approx(0.51, abs=1e-6)
+
+
+def test_a_near_miss_is_no_zero() -> None:
+    assert zeros(lambda t: 1 + 1e-9 - cos(t - 0.5)) == []
+
+
+def test_a_zero_on_a_sample_is_counted_once() -> None:
+    assert [zero.at for zero in zeros(sin)] == pytest.approx([0, pi], abs=1e-12)
