@@ -9,9 +9,12 @@ from __future__ import annotations
 from cmath import phase, rect
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import pi
+from math import inf, pi
+from typing import Literal, TypeAlias
 
 from mechanics.checks import finite, positive
+
+Vector: TypeAlias = tuple[float, float, float]
 
 BALANCED = 1e-9  # of the sum of magnitudes: what counts as no couple
 
@@ -171,21 +174,35 @@ class FourBarLinks:
     s3: float  # D to the centre of the rocker, m
 
     def __post_init__(self) -> None:
-        for name in ("l1", "l2", "l3", "l4", "m1", "m2", "m3"):
-            positive(name, getattr(self, name), "kg" if name[0] == "m" else "m")
+        for name in ("l1", "l2", "l3", "l4"):
+            positive(name, getattr(self, name), "m")
         for name in ("s1", "s2", "s3"):
             finite(name, getattr(self, name), "m")
+        for name in ("m1", "m2", "m3"):
+            if not 0 <= getattr(self, name) < inf:
+                raise ValueError(f"{name} = {getattr(self, name)} kg must be finite and not negative")
+        if not self.m1 + self.m2 + self.m3:
+            raise ValueError("m1, m2, m3: a four-bar without mass has no mass centre")
+
+    def shared(self) -> tuple[tuple[float, float], ...]:
+        """Share each link's mass between its joints: (A, B), (B, C), (D, C), kg; the pair keeps the mass centre."""
+        links = ((self.m1, self.s1, self.l1), (self.m2, self.s2, self.l2), (self.m3, self.s3, self.l3))
+        return tuple((m * (length - s) / length, m * s / length) for m, s, length in links)
 
 
 @dataclass(frozen=True, slots=True)
 class FourBarBalance:
-    """Counterweights that keep the mass centre of a four-bar at rest, and its place on the line of the pivots."""
+    """Counterweights that keep the mass centre of a four-bar at rest, and its place on the line of the pivots.
+
+    A negative counterweight stands for as much mass on the link's own side of its pivot.
+    """
 
     m1k: float  # on the crank, kg
     m2k: float  # on the rocker, kg
     m_I: float  # all masses at A, kg
     m_II: float  # all masses at D, kg
     x_S: float  # m from A
+    y_S: float = 0.0  # m, on the line of the pivots
 
 
 def four_bar(links: FourBarLinks, e1: float, e3: float) -> FourBarBalance:
@@ -204,28 +221,12 @@ def four_bar(links: FourBarLinks, e1: float, e3: float) -> FourBarBalance:
     """
     positive("distance e1", e1, "m")
     positive("distance e3", e3, "m")
-    m1B, m2C, m3C = (
-        m * s / length
-        for m, s, length in (
-            (links.m1, links.s1, links.l1), (links.m2, links.s2, links.l2), (links.m3, links.s3, links.l3)
-        )
-    )  # fmt: skip
-    m2B = links.m2 - m2C
+    (m1A, m1B), (m2B, m2C), (m3D, m3C) = links.shared()
     m1k, m2k = (m1B + m2B) * links.l1 / e1, (m2C + m3C) * links.l3 / e3
-    m_I, m_II = links.m1 + m2B + m1k, links.m3 + m2C + m2k
+    m_I, m_II = m1A + m1B + m2B + m1k, m3D + m3C + m2C + m2k
+    if not m_I + m_II > 0:
+        raise ValueError(f"m1k = {m1k:g} kg and m2k = {m2k:g} kg leave no mass in the linkage")
     return FourBarBalance(m1k, m2k, m_I, m_II, links.l4 * m_II / (m_I + m_II))
-
-
-def static_unbalance(m: float, r_S: float, omega: float) -> tuple[float, float]:
-    """Give the static unbalance m r_S (kg m) and its force m omega^2 r_S (N) (BV-2).
-
-    Raises:
-        ValueError: A value is not finite, or the mass not positive.
-    """
-    positive("mass m", m, "kg")
-    finite("eccentricity r_S", r_S, "m")
-    finite("omega", omega, "rad/s")
-    return m * r_S, m * r_S * omega**2
 
 
 def opposite(angle: float) -> float:
@@ -244,3 +245,80 @@ def shared_by_planes(unbalance: float, l_I: float, l_II: float) -> tuple[float, 
     positive("distance l_I", l_I, "m")
     positive("distance l_II", l_II, "m")
     return unbalance * l_II / (l_I + l_II), unbalance * l_I / (l_I + l_II)
+
+
+UnbalanceKind = Literal["balanced", "static", "moment", "dynamic"]
+KINDS: dict[tuple[bool, bool], UnbalanceKind] = {  # whether a force, whether a couple is left
+    (False, False): "balanced", (True, False): "static", (False, True): "moment", (True, True): "dynamic"
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Unbalance:
+    """Unbalance of a rotor and what it does to the bearings when it turns (BV-2)."""
+
+    static: complex  # D_C = sum m r, kg m
+    dynamic: complex  # D_D = sum m x r, kg m^2
+    force: float  # omega^2 |D_C|, N
+    moment: float  # omega^2 |D_D| about x = 0, N m
+    kind: UnbalanceKind
+
+
+def unbalance(masses: Sequence[PointMass], omega: float, x_S: float = 0.0) -> Unbalance:
+    """Find the unbalance of a rotor and its class.
+
+    Args:
+        masses: Masses fixed to the rotor, or what they exceed a balanced rotor by.
+        omega: Angular velocity, in rad/s.
+        x_S: Place along the axis of the plane in which a static unbalance alone would stand, in metres.
+
+    Returns:
+        Unbalances, force and moment; "static" without a couple about x_S, "moment" without a force.
+
+    Raises:
+        ValueError: The speed or the place is not finite.
+
+    Source:
+        Domain BV-2: P = m omega^2 r_S, M = omega^2 sum m_k l_k r_k.
+    """
+    finite("omega", omega, "rad/s")
+    finite("x_S", x_S, "m")
+    total = sum((mass.unbalance for mass in masses), 0j)
+    arms = sum((mass.x * mass.unbalance for mass in masses), 0j)
+    size = sum(abs(mass.unbalance) for mass in masses)
+    reach = max((abs(mass.x - x_S) for mass in masses), default=0.0)
+    forced, turned = abs(total) > BALANCED * size, abs(arms - x_S * total) > BALANCED * size * reach
+    square = omega**2
+    return Unbalance(total, arms, abs(total) * square, abs(arms) * square, KINDS[forced, turned])
+
+
+def inertia_forces(
+    masses: Sequence[float], places: Sequence[Vector], accelerations: Sequence[Vector]
+) -> tuple[Vector, Vector]:
+    """Find main vector and main moment about the origin of the inertia forces of point masses.
+
+    Args:
+        masses: m_k, in kilograms.
+        places: r_k, in metres.
+        accelerations: a_k, in m/s^2.
+
+    Returns:
+        P = -sum m_k a_k (N) and M_O = sum r_k x (-m_k a_k) (N m).
+
+    Raises:
+        ValueError: There are not as many places and accelerations as masses, or a number is not finite.
+
+    Source:
+        Domain BV-1.
+    """
+    if not len(masses) == len(places) == len(accelerations):
+        raise ValueError(f"{len(masses)} masses, {len(places)} places and {len(accelerations)} accelerations")
+    force, moment = [0.0] * 3, [0.0] * 3
+    for m, place, a in zip(masses, places, accelerations, strict=True):
+        for value, unit in ((m, "kg"), *((v, "m") for v in place), *((v, "m/s^2") for v in a)):
+            finite("mass, place or acceleration", value, unit)
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            force[i] -= m * a[i]
+            moment[i] += m * (place[k] * a[j] - place[j] * a[k])
+    return (force[0], force[1], force[2]), (moment[0], moment[1], moment[2])

@@ -31,6 +31,12 @@ class SingularError(ValueError):
 
 
 class TrainError(ValueError):
-    """The conditions of a gear train contradict one another or do not determine its motion."""
+    """The conditions of a gear train contradict one another."""
 
     code = "inconsistent"
+
+
+class UndeterminedError(TrainError):
+    """The conditions of a gear train are too few to determine its motion."""
+
+    code = "under_determined"

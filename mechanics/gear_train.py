@@ -16,7 +16,7 @@ from typing import get_args
 from mechanics import linear
 from mechanics.bevel_differential import Differential
 from mechanics.checks import count
-from mechanics.errors import TrainError
+from mechanics.errors import TrainError, UndeterminedError
 from mechanics.gear_pair import MeshType
 from mechanics.rack import Rack
 from mechanics.screw import Screw
@@ -137,7 +137,8 @@ def solve(train: Train) -> Speeds:
         modulus for a worm wheel); the speed of a rack or nut.
 
     Raises:
-        TrainError: Conditions contradict one another, or leave members undetermined; the message names them.
+        TrainError: Conditions contradict one another; the message names the input that does.
+        UndeterminedError: They leave members undetermined; the message names them.
 
     Source:
         Domain TR-1 to TR-6; Willis's equation for each mesh.
@@ -177,7 +178,7 @@ def _read(train: Train, column: Mapping[str, int], basis: dict[int, Equation]) -
             omega[member] = speed
     if free:
         missing = len(column) - len(basis)
-        raise TrainError(
+        raise UndeterminedError(
             f"the motion of {', '.join(free)} is not determined: too few fixed members or inputs ({missing} missing)"
         )
     return omega

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from cmath import rect
-from math import degrees, nan, pi, radians
+from math import cos, degrees, hypot, nan, pi, radians, sin
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -54,9 +55,54 @@ def test_a_disc_of_the_domain_in_one_plane() -> None:
     assert not found.static and opposite(radians(25)) == pytest.approx(radians(205 - 360))
 
 
+@given(masses, st.floats(-100, 100), st.floats(-5, 5))
+def test_the_bearings_feel_the_inertia_forces_of_the_turning_masses(
+    rotor: list[PointMass], omega: float, turn: float
+) -> None:
+    places = [(m.x, m.r * cos(m.angle + turn), m.r * sin(m.angle + turn)) for m in rotor]
+    inward = [(0.0, -(omega**2) * y, -(omega**2) * z) for _, y, z in places]
+    force, moment = balancing.inertia_forces([m.m for m in rotor], places, inward)
+    found = balancing.unbalance(rotor, omega)
+    size = 1e-9 * omega**2 * (1 + sum(abs(m.unbalance) for m in rotor))
+    assert found.force == pytest.approx(hypot(*force), rel=1e-9, abs=size)
+    assert found.moment == pytest.approx(hypot(*moment), rel=1e-9, abs=size)
+    assert moment[0] == pytest.approx(0, abs=size)
+
+
+vectors = st.tuples(*[st.floats(-9, 9)] * 3)
+
+
+@given(st.lists(st.tuples(st.floats(0, 9), vectors, vectors), max_size=5), vectors)
+def test_inertia_forces_move_to_another_point_as_a_system_of_forces_does(
+    points: list[tuple[float, balancing.Vector, balancing.Vector]], shift: balancing.Vector
+) -> None:
+    m, r, a = ([point[i] for point in points] for i in range(3))
+    moved = [tuple(np.subtract(place, shift)) for place in r]
+    force, moment = balancing.inertia_forces(m, r, a)  # type: ignore[arg-type]
+    other_force, other_moment = balancing.inertia_forces(m, moved, a)  # type: ignore[arg-type]
+    assert force == pytest.approx(other_force)
+    assert moment == pytest.approx(np.add(other_moment, np.cross(shift, force)), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("rotor", "x_S", "kind"),
+    [
+        ([PointMass(1, 0.1, 0), PointMass(1, 0.1, pi)], 0.0, "balanced"),
+        ([PointMass(1, 0.1, 0)], 0.0, "static"),
+        ([PointMass(1, 0.1, 0, 0.3)], 0.3, "static"),
+        ([PointMass(1, 0.1, 0, 0.3)], 0.0, "dynamic"),
+        ([PointMass(1, 0.1, 0, 0.3), PointMass(1, 0.1, pi, -0.2)], 0.0, "moment"),
+        ([], 0.0, "balanced"),
+    ],
+)
+def test_the_class_of_an_unbalance(rotor: list[PointMass], x_S: float, kind: str) -> None:
+    assert balancing.unbalance(rotor, 5.0, x_S).kind == kind
+
+
 def test_static_unbalance_of_the_domain() -> None:
     """BV-2, BV-4."""
-    assert balancing.static_unbalance(12, 0.0004, 3000 * pi / 30) == pytest.approx((0.0048, 473.7410113), rel=1e-9)
+    found = balancing.unbalance([PointMass(12, 0.0004, 1.0)], 3000 * pi / 30)
+    assert (abs(found.static), found.force) == pytest.approx((0.0048, 473.7410113), rel=1e-9)
     first, second = balancing.shared_by_planes(0.0048, 0.1, 0.25)
     assert (first / 0.15, second / 0.12) == pytest.approx((0.02285714286, 0.01142857143), rel=1e-9)
     assert first + second == pytest.approx(0.0048) and first * 0.1 == pytest.approx(second * 0.25)
@@ -113,6 +159,12 @@ def test_the_centre_of_a_balanced_four_bar_rests_over_a_turn() -> None:
         (lambda: three_points(1, 1, 1, 0), "J_S"),
         (lambda: FourBarLinks(0, 1, 1, 1, 1, 1, 1, 0, 0, 0), "l1"),
         (lambda: balancing.shared_by_planes(1, 0, 1), "l_I"),
+        (lambda: FourBarLinks(1, 1, 1, 1, 1, -1, 1, 0, 0, 0), "m2 = -1 kg"),
+        (lambda: FourBarLinks(1, 1, 1, 1, 0, 0, 0, 0, 0, 0), "without mass"),
+        (lambda: four_bar(FourBarLinks(1, 1, 1, 1, 1, 1, 1, -9, 0, -9), 1, 1), "leave no mass"),
+        (lambda: balancing.unbalance([], nan), "omega"),
+        (lambda: balancing.inertia_forces([1], [], []), "1 masses, 0 places"),
+        (lambda: balancing.inertia_forces([nan], [(0, 0, 0)], [(0, 0, 0)]), "must be finite"),
     ],
 )
 def test_impossible_numbers_are_refused_by_name(make: object, message: str) -> None:

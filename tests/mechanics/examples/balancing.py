@@ -6,10 +6,27 @@ from collections.abc import Sequence
 from math import degrees, radians
 
 from mechanics import balancing, vibration
-from mechanics.balancing import Plane, PointMass, balance
+from mechanics.balancing import FourBarLinks, Plane, PointMass, balance
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING = ("BV-1", "BV-2", "BV-7")
+GRAVITY = 9.81  # m/s^2
+
+
+def inertia_forces(given: Inputs) -> Outputs:
+    force, moment = balancing.inertia_forces(given["m"], given["r"], given["a"])
+    return {"F": list(force), "M_O": list(moment)}
+
+
+def rotor(given: Inputs) -> Outputs:
+    disc = balancing.unbalance([PointMass(given["m"], given["e_S"], 0.0)], given["omega"])
+    point = balancing.unbalance([PointMass(given["m_point"], given["r"], 0.0, given["l"])], given["omega"])
+    return {
+        "D_st": abs(disc.static),
+        "F": disc.force,
+        "D_dyn_mass": abs(point.dynamic),
+        "D_dyn_weight": abs(point.dynamic) * GRAVITY,
+        "M": point.moment,
+    }
 
 
 def disc_in_one_plane(given: Inputs) -> Outputs:
@@ -63,6 +80,27 @@ def link_as_point_masses(given: Inputs) -> Outputs:
     }
 
 
+def four_bar(given: Inputs) -> Outputs:
+    names = ("l1", "l2", "l3", "l4", "m1", "m2", "m3", "AS1", "BS2", "DS3")
+    links = FourBarLinks(*(given[name] for name in names))
+    found = balancing.four_bar(links, given["AE"], given["DF"])
+    (m1A, m1B), (m2B, m2C), (m3D, m3C) = links.shared()
+    return {
+        "m1A": m1A,
+        "m1B": m1B,
+        "m2B": m2B,
+        "m2C": m2C,
+        "m3C": m3C,
+        "m3D": m3D,
+        "m_k1": found.m1k,
+        "m_k2": found.m2k,
+        "m_I": found.m_I,
+        "m_II": found.m_II,
+        "x_S": found.x_S,
+        "y_S": found.y_S,
+    }
+
+
 def polyharmonic(given: Inputs) -> Outputs:
     return {
         "octaves": vibration.octaves(given["f_low"], given["f_high"]),
@@ -95,11 +133,16 @@ def shaken_base(given: Inputs) -> Outputs:
     return {"X_abs": found.amplitude, "X_rel": found.relative, "kappa": found.transmissibility}
 
 
+PENDING: tuple[str, ...] = ()
+
 SOLVED: dict[str, Solve] = {
+    "BV-1": inertia_forces,
+    "BV-2": rotor,
     "BV-3": disc_in_one_plane,
     "BV-4": disc_between_two_planes,
     "BV-5": rotor_in_two_planes,
     "BV-6": link_as_point_masses,
+    "BV-7": four_bar,
     "BV-8": polyharmonic,
     "BV-9": force,
     "BV-10": shaken_base,
