@@ -25,6 +25,9 @@ SOLVERS = {
     "mobility": "structure: mobility by formula, loops, true mobility and passive constraints of a drawn mechanism",
     "balance": "balancing of a rotor in one or two planes; counterweights of a four-bar",
     "vibration": "one mass on spring and damper: amplitude, phase, transmissibility under force or base excitation",
+    "chain": "serial chain by Denavit-Hartenberg: pose, Jacobian, motion of the tool point, drives",
+    "chain_inverse": "inverse task of the six rod functional groups: all branches",
+    "reduction": "slider-crank reduced to its crank: inertia, moment, acceleration",
 }
 LONGEST_ID = 200  # characters
 
