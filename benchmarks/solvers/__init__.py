@@ -1,0 +1,1 @@
+"""Rows of `benchmarks/mechanics.py`, a module a chapter: each holds `ROWS`."""
