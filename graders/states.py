@@ -49,6 +49,11 @@ def drawn(
     return States(names, (*inside, *dict.fromkeys(borders)), lines, ranges)
 
 
+def spread(box: Mapping[str, Domain], chance: bytes) -> States:
+    """Draw points of a box, wherever what is compared has a value."""
+    return drawn(box, chance, lambda point: True)
+
+
 def _chance(words: bytes, count: int) -> list[float]:
     block = shake_256(words).digest(8 * count)
     return [(int.from_bytes(block[at : at + 8], "big") >> 11) / (1 << 53) for at in range(0, 8 * count, 8)]

@@ -1,5 +1,6 @@
 """Equality of formulas as functions on a domain, decided by ball arithmetic."""
 
-from graders.equality.comparing import Comparison, Finding, compare
+from graders.equality.comparing import Comparison, between, compare
+from graders.equality.deciding import Finding
 
-__all__ = ["Comparison", "Finding", "compare"]
+__all__ = ["Comparison", "Finding", "between", "compare"]

@@ -1,37 +1,32 @@
 """Equality of two formulas as functions on the true states of a system.
 
 Doubles choose where to look; balls decide. `different` is proved at a named point; `equal` is zero to 30 digits,
-relative to the larger side, at several points; anything else is undecided.
+relative to the larger side, at several points and on both sides of everything that turns; anything else is undecided.
 """
 
 from __future__ import annotations
 
 import math
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
-from typing import Any
+from functools import lru_cache
+from typing import NamedTuple
 
-from flint import arb
-
-from graders.judge import Formula
-from graders.language.balls import BALLS, precision
-from graders.language.doubles import DOUBLES, UndefinedError, run
+from graders.equality.deciding import Balls, Finding
+from graders.equality.probing import Row, Search, look
+from graders.equality.turns import Turn, turns
+from graders.judge import Domain, Formula, States
+from graders.language.doubles import DOUBLES, UndefinedError, domain_test
 from graders.language.program import Builder, Program, Runner
-from graders.language.tree import Call, Tree, walk
+from graders.language.tree import Tree
+from graders.states import INSIDE, Point, drawn, spread
 
-PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
-POINTS = 4
-SMALL = 2.0**-100  # 30 digits
-BRANCHING = frozenset(("abs", "sign", "min", "max", "macaulay", "atan2", "sqrt", "root", "asin", "acos", "acot"))
-
-
-class Finding(StrEnum):
-    """What comparing two formulas found."""
-
-    EQUAL = "equal"
-    DIFFERENT = "different"
-    UNDEFINED = "undefined"
-    UNDECIDED = "undecided"
+POINTS = 4  # that balls settle
+LEAST = 8  # points at which a formula that turns has a value
+OPEN = 4  # points that may stay unsettled
+NEAR = 1e-11  # how close by, as a share of a domain
+SEEN = 1e-9  # a relative difference that doubles see
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,81 +37,146 @@ class Comparison:
     witness: tuple[tuple[str, float], ...] = ()
 
 
+class Place(NamedTuple):
+    """A point for the balls: the signs of all turns there, and whether it is asked about even if these were seen."""
+
+    point: Point
+    pattern: object
+    asked: bool
+
+
 def compare(answer: Tree, reference: Formula) -> Comparison:
     """Compare an answer with a reference on the states of the reference."""
     if answer == reference.tree:
         return Comparison(Finding.EQUAL)
-    program = _program(answer, reference)
-    doubles, balls = Runner(program, DOUBLES), Runner(program, BALLS)
-    states = reference.states
-    order = sorted(states.points, key=lambda point: -_far(doubles, point))
-    branching = any(isinstance(n, Call) and n.function in BRANCHING for t in (answer, reference.tree) for n in walk(t))
-    settled = 0
-    for point in order:
-        finding = _at(balls, doubles, point)
-        if finding in (Finding.DIFFERENT, Finding.UNDEFINED):
-            return Comparison(finding, tuple(zip(states.names, point, strict=True)))
-        settled += finding is Finding.EQUAL
-        if settled >= POINTS and not branching:
-            return Comparison(Finding.EQUAL)
-    return Comparison(Finding.EQUAL if settled >= max(POINTS, len(order) * 3 // 4) else Finding.UNDECIDED)
+    return _Pair(answer, reference, mutual=False).compared()
 
 
-def _program(answer: Tree, reference: Formula) -> Program:
-    builder = Builder(reference.states.names)
-    for name, line in reference.states.lines:
-        builder.define(name, line)
-    return builder.program(builder.add(reference.tree), builder.add(answer))
+def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") -> Comparison:
+    """Compare two formulas on a box; where only one of them has a value they differ.
 
-
-def _far(doubles: Runner, point: tuple[float, ...]) -> float:
-    """Give the relative difference in doubles; what doubles cannot tell is worth a look first."""
+    Args:
+        a: One formula.
+        b: The other.
+        box: The domain of each symbol.
+        chance: What the points depend on.
+    """
+    pair = _Pair(b, Formula(a, _spread(tuple(box.items()), chance)), mutual=True)
+    if not pair.turns or pair.values >= LEAST:
+        return pair.compared()
+    one, other = domain_test(a, tuple(box), ()), domain_test(b, tuple(box), ())
     try:
-        right, typed = run(doubles, list(point))
+        states = drawn(box, chance, lambda point: one(point) or other(point))
     except UndefinedError:
-        return 3.0
-    difference, scale = abs(right - typed), max(abs(right), abs(typed))
-    return difference / scale if scale and math.isfinite(difference) else 0.0 if not scale else 3.0
+        return pair.compared()
+    return _Pair(b, Formula(a, states), mutual=True).compared()
 
 
-def _at(balls: Runner, doubles: Runner, point: tuple[float, ...]) -> Finding:
-    radius = math.inf
-    for bits in PRECISIONS:
-        with precision(bits):
-            try:
-                right, typed = balls.run([arb(x) for x in point])
-            except (ZeroDivisionError, ValueError, OverflowError):
-                return _undefined(doubles, point)
-            if not typed.is_finite() or not right.is_finite():
-                if bits >= 512:
-                    return _undefined(doubles, point)
+@lru_cache(maxsize=256)
+def _spread(box: tuple[tuple[str, Domain], ...], chance: bytes) -> States:
+    return spread(dict(box), chance)
+
+
+class _Pair:
+    """An answer beside a reference: their common program and what doubles see of it."""
+
+    __slots__ = ("balls", "mutual", "points", "program", "rows", "states", "turns")
+
+    def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
+        self.states, self.mutual = reference.states, mutual
+        builder = Builder(self.states.names)
+        for name, line in self.states.lines:
+            builder.define(name, line)
+        right = builder.add(reference.tree)
+        owned = len(builder.operations)
+        typed = builder.add(answer)
+        self.turns: list[Turn] = turns(builder, owned)
+        self.program: Program = builder.program(right, typed)
+        self.balls = Balls(self.program, mutual)
+        self.points, self.rows = self.states.points, list[Row]()
+        if self.turns:
+            runner = Runner(builder.program(right, typed, *(turn.slot for turn in self.turns)), DOUBLES)
+            self.rows = [look(runner, point) for point in self.points]
+
+    @property
+    def values(self) -> int:
+        """The number of points at which one of the two has a value."""
+        return sum(any(map(math.isfinite, row[:2])) for row in self.rows)
+
+    def compared(self) -> Comparison:
+        if not self.turns:
+            return self._settled([Place(point, 0, False) for point in self._few()])
+        return self._settled(list(self._ordered()))
+
+    def _few(self) -> Iterator[Point]:
+        """Put a point inside, two corners and another inside in front: an analytic difference shows at any of them."""
+        count = len(self.points)
+        first = [at for at in (0, INSIDE, INSIDE + 1, 1) if at < count]
+        yield from (self.points[at] for at in first)
+        yield from (point for at, point in enumerate(self.points) if at not in first)
+
+    def _ordered(self) -> Iterator[Place]:
+        """Give the points with their patterns of signs, those first where doubles see the two differ most."""
+        places = [(row, point, False) for row, point in zip(self.rows, self.points, strict=True)]
+        if self.states.box:
+            places += self._beside()
+        places.sort(key=lambda place: -_far(place[0]))
+        for number, (row, point, touched) in enumerate(places):
+            asked = touched or not self.states.box or _far(row) > SEEN
+            yield Place(point, number if touched else tuple([value > 0 for value in row[2:]]), asked)
+
+    def _beside(self) -> Iterator[tuple[Row, Point, bool]]:
+        outputs = (*self.program.outputs, *(turn.slot for turn in self.turns))
+        program = Program(self.program.inputs, self.program.literals, self.program.operations, outputs)
+        runner = Runner(program, DOUBLES)
+        for point, touched in Search(program, self.states.box, self.points, self.rows, self.mutual).beside(self.turns):
+            yield look(runner, point), point, touched
+
+    def _settled(self, places: Sequence[Place]) -> Comparison:
+        """Ask the balls, one point a pattern and four at least, until a difference is proved."""
+        settled, unsure = Counter[object](), Counter[object]()
+        for point, pattern, asked in places:
+            if settled[pattern] and not asked and settled.total() >= POINTS:
                 continue
-            finding = _zero(right - typed, right, typed, bits)
-            if finding is not None:
-                return finding
-            now = float((right - typed).rad())
-            if not now < radius and bits > 256:
-                return Finding.UNDECIDED
-            radius = now
-    return Finding.UNDECIDED
+            found = self.balls.at(point)
+            if found is Finding.EQUAL:
+                settled[pattern] += 1
+            elif found is Finding.UNDECIDED:
+                unsure[pattern] += 1
+                if unsure.total() > OPEN:
+                    return Comparison(found)
+            elif found is not Finding.NOWHERE and self._lasting(found, point):
+                return Comparison(found, tuple(zip(self.states.names, point, strict=True)))
+        if not settled:
+            return Comparison(Finding.UNDECIDED if unsure else Finding.NOWHERE)
+        enough = settled.total() >= min(POINTS - 1, len({place.point for place in places}))
+        return Comparison(Finding.EQUAL if enough and not set(unsure) - set(settled) else Finding.UNDECIDED)
+
+    def _lasting(self, found: Finding, point: Point) -> bool:
+        """Tell whether a difference is there close by as well: a hole or a jump met by chance does not count."""
+        if found is Finding.DIFFERENT and not self.turns:
+            return True
+        return self.balls.at(_near(point, self.states.box)) is found
 
 
-def _zero(difference: Any, right: Any, typed: Any, bits: int) -> Finding | None:
-    """Decide whether a ball is zero relative to its two sides; None asks for more precision."""
-    scale = max(right.abs_upper(), typed.abs_upper())
-    if difference.abs_lower() > scale * SMALL:
-        return Finding.DIFFERENT
-    least = max(right.abs_lower(), typed.abs_lower())
-    if least > 0:
-        return Finding.EQUAL if difference.abs_upper() < least * SMALL else None
-    shrunk = difference.contains(0) and difference.abs_upper() < arb(2) ** (-bits // 5)
-    return Finding.EQUAL if shrunk and bits >= 256 else None
+def _near(point: Point, box: Sequence[Domain]) -> Point:
+    """Give a point close by, inside the box; whole numbers stay."""
+    if not box:
+        return tuple([x + NEAR * (abs(x) or 1.0) for x in point])
+    return tuple([_nudged(x, domain) for x, domain in zip(point, box, strict=True)])
 
 
-def _undefined(doubles: Runner, point: tuple[float, ...]) -> Finding:
-    """An answer without a value where the reference has one differs; doubles confirm that it has none."""
-    try:
-        run(doubles, list(point))
-    except UndefinedError:
-        return Finding.UNDEFINED
-    return Finding.UNDECIDED
+def _nudged(x: float, domain: Domain) -> float:
+    if domain.integer:
+        return x
+    step = NEAR * (domain.high - domain.low)
+    return x + step if x + step < domain.high else x - step
+
+
+def _far(row: Row) -> float:
+    """Give the relative difference in doubles; what doubles cannot tell is worth a look first."""
+    right, typed = row[0], row[1]
+    difference, scale = abs(right - typed), max(abs(right), abs(typed))
+    if not math.isfinite(difference):
+        return 3.0
+    return difference / scale if scale else 0.0

@@ -62,12 +62,12 @@ class Function:
         match beside.finding:
             case Finding.EQUAL:
                 return RIGHT
-            case Finding.UNDECIDED:
-                return UNDECIDED
-            case Finding.UNDEFINED:
-                return wrong(Code.UNDEFINED)
             case Finding.DIFFERENT:
                 return self._partly(beside)
+            case Finding.UNDEFINED:
+                return wrong(Code.UNDEFINED)
+            case _:
+                return UNDECIDED
 
     def _partly(self, beside: Tried) -> Verdict:
         """Count the stretches that are right; the first one alone earns nothing."""

@@ -1,5 +1,6 @@
 """The language in ball arithmetic (python-flint): an enclosure of the true value at any precision.
 
+A ball that is not finite means *not sure*; UndefinedError means that there is proved to be no value.
 `flint.ctx.prec` belongs to the whole process: balls are used on one thread at a time.
 """
 
@@ -8,11 +9,16 @@ from __future__ import annotations
 import operator
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from flint import arb, ctx, fmpq, fmpz
 
+from graders.language.doubles import UndefinedError
 from graders.language.program import Arithmetic
 from graders.language.tree import Number
+
+CLAMPING = 256  # bits from which a ball that touches the edge of a domain is cut there
+UNSURE = arb("nan")
 
 
 @contextmanager
@@ -27,8 +33,16 @@ def precision(bits: int) -> Iterator[None]:
 
 
 def _literal(number: Number) -> arb:
+    if number.whole:
+        return arb(int(number.digits))
     value = number.exact
     return arb(fmpq(fmpz(value.numerator), fmpz(value.denominator)))
+
+
+def _divide(a: Any, b: Any) -> Any:
+    if isinstance(b, arb) and b.is_zero():
+        raise UndefinedError("a division by zero")
+    return a / b
 
 
 def _sign(x: arb) -> arb:
@@ -39,50 +53,94 @@ def _sign(x: arb) -> arb:
     return arb(0) if x.is_zero() else arb(0, 1)
 
 
-def _macaulay(inside: arb, power: arb) -> arb:
+def _macaulay(inside: arb, order: arb) -> arb:
+    """`<u>^n`, which has no value for n < 0: an impulse."""
+    if order < 0:
+        raise UndefinedError("an impulse has no value")
     if inside < 0:
         return arb(0)
-    if power.is_zero():
+    if order.is_zero():
         return arb(1) if inside >= 0 else arb(0.5, 0.5)
-    if inside >= 0:
-        return inside**power
-    return _clamped(inside) ** power
+    if inside > 0:
+        return inside**order
+    return arb(0) if inside.is_zero() else _clamped(inside) ** order
 
 
 def _clamped(x: arb) -> arb:
-    """Cut the part below zero from a ball that touches zero: the function is continuous there."""
-    return x.nonnegative_part() if x.contains(0) else x
+    """Cut the part below zero from a ball that touches zero: the function is continuous there.
 
-
-def _sqrt(x: arb) -> arb:
-    return _clamped(x).sqrt() if x.mid() != 0 or x.is_zero() else x.sqrt()
+    Raises:
+        UndefinedError: All of the ball is below zero.
+    """
+    if x >= 0:
+        return x
+    if x < 0:
+        raise UndefinedError("beyond the edge of a domain")
+    return x.nonnegative_part() if ctx.prec >= CLAMPING else UNSURE
 
 
 def _inside_one(x: arb) -> arb:
     """Cut the part beyond [-1, 1] from a ball that touches an end, so that acos(1±r) has a value."""
-    if x.contains(1) and not x > 1:
-        return 1 - _clamped(1 - x)
-    if x.contains(-1) and not x < -1:
-        return _clamped(x + 1) - 1
-    return x
+    if -1 < x < 1:
+        return x
+    return 1 - _clamped(1 - x) if x > 0 else _clamped(x + 1) - 1
+
+
+def _logarithm(x: arb) -> arb:
+    if x <= 0:
+        raise UndefinedError("a logarithm of a number that is not positive")
+    return x.log()
+
+
+def _power(base: arb, exponent: arb) -> arb:
+    if base > 0 or exponent.is_integer():
+        if exponent < 0 and base.is_zero():
+            raise UndefinedError("a division by zero")
+        return base**exponent
+    return _clamped(base) ** exponent if exponent > 0 else _positive(base) ** exponent
+
+
+def _positive(base: arb) -> arb:
+    if base <= 0:
+        raise UndefinedError("a power of a number that is not positive")
+    return base
 
 
 def _root(radicand: arb, degree: arb) -> arb:
-    return -((-radicand) ** (1 / degree)) if radicand < 0 else radicand ** (1 / degree)
+    """Take a root; one of odd degree has a sign."""
+    odd = degree.is_integer() and ((degree - 1) / 2).is_integer()
+    if odd and not radicand > 0:
+        return -((-radicand) ** (1 / degree)) if radicand < 0 else _around_zero(radicand, degree)
+    return _power(radicand, _divide(arb(1), degree))
+
+
+def _around_zero(radicand: arb, degree: arb) -> arb:
+    greatest = radicand.abs_upper() ** (1 / degree)
+    return arb(0, 1) * greatest
+
+
+def _arc(y: arb, x: arb) -> arb:
+    if y.is_zero() and x.is_zero():
+        raise UndefinedError("no direction")
+    return arb.atan2(y, x)
+
+
+def _tenths(x: arb) -> arb:
+    return _logarithm(x) / arb(10).log()
 
 
 BALLS = Arithmetic(
     _literal,
     {
-        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow,
+        "+": operator.add, "-": operator.sub, "*": operator.mul, "/": _divide, "^": _power,
         "negate": operator.neg, "degrees": lambda x: x * arb.pi() / 180, "pi": arb.pi,
         "integer_power": lambda base, n: base**n,
         "sin": arb.sin, "cos": arb.cos, "tan": arb.tan, "cot": arb.cot,
         "asin": lambda x: _inside_one(x).asin(), "acos": lambda x: _inside_one(x).acos(), "atan": arb.atan,
-        "acot": lambda x: arb.pi() / 2 - x.atan(), "atan2": lambda y, x: arb.atan2(y, x),
-        "sinh": arb.sinh, "cosh": arb.cosh, "tanh": arb.tanh, "exp": arb.exp,
-        "ln": arb.log, "log": lambda x: x.log() / arb(10).log(), "log_base": lambda x, base: x.log() / base.log(),
-        "sqrt": _sqrt, "root": _root, "abs": abs, "sign": _sign,
+        "acot": lambda x: arb.pi() / 2 - x.atan(), "atan2": _arc,
+        "sinh": arb.sinh, "cosh": arb.cosh, "tanh": arb.tanh, "exp": arb.exp, "ln": _logarithm, "log": _tenths,
+        "log_base": lambda x, base: _divide(_logarithm(x), _logarithm(base)),
+        "sqrt": lambda x: _clamped(x).sqrt(), "root": _root, "abs": abs, "sign": _sign,
         "min": lambda a, b: a.min(b), "max": lambda a, b: a.max(b), "macaulay": _macaulay,
     },
 )  # fmt: skip

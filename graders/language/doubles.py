@@ -32,7 +32,9 @@ def _power(base: float, exponent: float) -> float:
 
 
 def _macaulay(inside: float, power: float) -> float:
-    """`<u>^n`: zero before the bracket opens, u^n after; n = 0 is the unit step."""
+    """`<u>^n`: zero before the bracket opens, u^n after; n = 0 is the unit step, n < 0 an impulse without a value."""
+    if power < 0:
+        raise UndefinedError("an impulse has no value")
     return 0.0 if inside < 0 else 1.0 if power == 0 else math.pow(inside, power)
 
 

@@ -6,22 +6,38 @@ A program is made once and run on many points; a run is one loop over the list.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
+from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Tree, Unary
 
 Operation: TypeAlias = tuple[str, tuple[int, ...]]
+
+UNARY = {"-": "negate", "°": "degrees"}
 
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """Flat operations over slots: first the inputs, then the literals, then one slot an operation."""
+    """Flat operations over slots: first the inputs, then one slot an operation; literals count from the end: -1, -2."""
 
     inputs: tuple[str, ...]
     literals: tuple[Number, ...]
     operations: tuple[Operation, ...]
     outputs: tuple[int, ...]
+
+    def only(self, *outputs: int) -> Program:
+        """Give the part of the program that some slots need, with these as its outputs; its slots are other ones."""
+        start = len(self.inputs)
+        needed = set(outputs)
+        for slot in range(start + len(self.operations) - 1, start - 1, -1):
+            if slot in needed:
+                needed.update(self.operations[slot - start][1])
+        moved, kept = {slot: slot for slot in range(-len(self.literals), start)}, list[Operation]()
+        for slot, (name, arguments) in enumerate(self.operations, start):
+            if slot in needed:
+                moved[slot] = start + len(kept)
+                kept.append((name, tuple([moved[argument] for argument in arguments])))
+        return Program(self.inputs, self.literals, tuple(kept), tuple([moved[slot] for slot in outputs]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,16 +46,34 @@ class Arithmetic:
 
     literal: Callable[[Number], Any]
     functions: Mapping[str, Callable[..., Any]]
+    made: dict[str, Callable[..., Any]] = field(default_factory=dict, compare=False)
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """Give the function of an operation; powers, matrices and their entries are made when first met."""
+        return self.functions.get(name) or self.made.get(name) or self.made.setdefault(name, self._made(name))
+
+    def _made(self, name: str) -> Callable[..., Any]:
+        if name.startswith("power"):
+            power, raise_to = int(name[5:]), self.functions["integer_power"]
+            return lambda base: raise_to(base, power)
+        if name.startswith("grid"):
+            rows = int(name[4:])
+            return lambda *entries: Table(tuple(_chunks(entries, rows)))
+        row, column = (int(part) for part in name.removeprefix("entry").split(","))
+        return lambda table: table.rows[row - 1][column - 1]
 
 
 class Builder:
     """Collects operations; a name defined by `define` is replaced by the slot of its tree."""
 
+    __slots__ = ("defined", "inputs", "literals", "operations", "slots")
+
     def __init__(self, inputs: Sequence[str]) -> None:
         self.inputs = tuple(inputs)
         self.defined: dict[str, int] = {name: slot for slot, name in enumerate(self.inputs)}
-        self.pending: dict[tuple[str, tuple[object, ...]], int] = {}
-        self.entries: list[tuple[str, tuple[object, ...]]] = []
+        self.literals: dict[Number, int] = {}
+        self.slots: dict[Operation, int] = {}
+        self.operations: list[Operation] = []
 
     def define(self, name: str, tree: Tree) -> int:
         """Give a name the value of a tree for all that is added later."""
@@ -53,120 +87,110 @@ class Builder:
         Raises:
             KeyError: A name is neither an input nor defined.
         """
+        if isinstance(tree, Name):
+            slot = self.defined.get(tree.name)
+            return slot if slot is not None else self._named(tree.name)
+        if isinstance(tree, Binary):
+            return self._binary(tree.operator, tree.left, tree.right)
+        if isinstance(tree, Number):
+            return self._literal(tree)
+        if isinstance(tree, Call):
+            return self._call(tree.function, tree.arguments)
+        if isinstance(tree, Unary):
+            slot = self.add(tree.operand)
+            return slot if tree.operator == "+" else self.apply(UNARY[tree.operator], slot)
+        return self._seldom(tree)
+
+    def _literal(self, number: Number) -> int:
+        return self.literals.setdefault(number, -1 - len(self.literals))
+
+    def _named(self, name: str) -> int:
+        if name != "pi":
+            raise KeyError(name)
+        return self.apply("pi")
+
+    def _seldom(self, tree: Tree) -> int:
         match tree:
-            case Number():
-                return self._slot("literal", (tree,))
-            case Name(name="pi") if "pi" not in self.defined:
-                return self._slot("pi", ())
-            case Name(name=name):
-                return self.defined[name]
-            case Unary(operator="+", operand=operand):
-                return self.add(operand)
-            case Unary(operator=operator, operand=operand):
-                return self._slot({"-": "negate", "°": "degrees"}[operator], (self.add(operand),))
-            case Binary(operator=operator, left=left, right=right):
-                return self._binary(operator, left, right)
-            case Call(function=function, arguments=arguments):
-                return self._call(function, arguments)
             case Angle():
                 return self._angle(tree)
             case Grid(rows=rows):
-                return self._slot(f"grid{len(rows)}", tuple(self.add(e) for row in rows for e in row))
+                return self.apply(f"grid{len(rows)}", *[self.add(e) for row in rows for e in row])
             case Index(matrix=matrix, row=row, column=column):
-                return self._slot(f"entry{row},{column}", (self.add(matrix),))
-            case Relation():
-                raise ValueError("a relation has no value")
+                return self.apply(f"entry{row},{column}", self.add(matrix))
+        raise ValueError("a relation has no value")
 
-    def _slot(self, name: str, arguments: tuple[object, ...]) -> int:
-        entry = (name, arguments)
-        slot = self.pending.get(entry)
+    def apply(self, name: str, *arguments: int) -> int:
+        """Add an operation on slots and return its own; equal operations share one."""
+        operation = (name, arguments)
+        slot = self.slots.get(operation)
         if slot is None:
-            slot = self.pending[entry] = len(self.inputs) + len(self.entries)
-            self.entries.append(entry)
+            slot = self.slots[operation] = len(self.inputs) + len(self.operations)
+            self.operations.append(operation)
         return slot
 
     def _binary(self, operator: str, left: Tree, right: Tree) -> int:
-        if operator == "^" and isinstance(right, Number) and not right.exponent and right.digits.isdigit():
+        if operator == "^" and isinstance(right, Number) and right.whole:
             power = int(right.digits)
             if power <= 1000:
-                return self._slot(f"power{power}", (self.add(left),))
-        return self._slot(operator, (self.add(left), self.add(right)))
+                return self.apply(f"power{power}", self.add(left))
+        return self.apply(operator, self.add(left), self.add(right))
 
     def _call(self, function: str, arguments: tuple[Tree, ...]) -> int:
+        if len(arguments) == 1:
+            return self.apply(function, self.add(arguments[0]))
         slots = [self.add(a) for a in arguments]
         if function in ("min", "max"):
             while len(slots) > 1:
-                slots[:2] = [self._slot(function, (slots[0], slots[1]))]
+                slots[:2] = [self.apply(function, slots[0], slots[1])]
             return slots[0]
-        name = "log_base" if function == "log" and len(slots) == 2 else function
-        return self._slot(name, tuple(slots))
+        return self.apply("log_base" if function == "log" else function, *slots)
 
     def _angle(self, angle: Angle) -> int:
         """Degrees, minutes and seconds of arc as one number of degrees, then turned into radians."""
         total: Tree = Binary("+", angle.degrees, Binary("/", angle.minutes, Number("60")))
         if angle.seconds is not None:
             total = Binary("+", total, Binary("/", angle.seconds, Number("3600")))
-        return self._slot("degrees", (self.add(total),))
+        return self.apply("degrees", self.add(total))
 
     def program(self, *outputs: int) -> Program:
-        """Finish: literals are moved in front of the operations that use them."""
-        start = len(self.inputs)
-        literals = [(start + i, e) for i, e in enumerate(self.entries) if e[0] == "literal"]
-        others = [(start + i, e) for i, e in enumerate(self.entries) if e[0] != "literal"]
-        moved = {slot: slot for slot in range(start)}
-        moved |= {old: start + new for new, (old, _) in enumerate(literals + others)}
-        numbers = tuple(n for _, e in literals for n in e[1] if isinstance(n, Number))
-        operations = tuple((e[0], tuple(moved[int(str(a))] for a in e[1])) for _, e in others)
-        return Program(self.inputs, numbers, operations, tuple(moved[slot] for slot in outputs))
+        """Finish: what was added, with some slots as outputs."""
+        return Program(self.inputs, tuple(self.literals), tuple(self.operations), outputs)
 
 
-Code: TypeAlias = list[tuple[Callable[..., Any], int, int, tuple[int, ...]]]
+Code: TypeAlias = list[tuple[Callable[..., Any], int, int, Any, int]]
 
 
 class Runner:
     """A program made ready for one arithmetic."""
 
-    __slots__ = ("code", "inputs", "literals", "outputs")
+    __slots__ = ("code", "inputs", "outputs", "tail")
 
     def __init__(self, program: Program, arithmetic: Arithmetic) -> None:
-        self.inputs = program.inputs
-        self.outputs = program.outputs
-        self.literals = [arithmetic.literal(number) for number in program.literals]
+        self.inputs, self.outputs = program.inputs, program.outputs
+        known = arithmetic.functions
         self.code: Code = []
-        for name, slots in program.operations:
-            first, second = (*slots, -1, -1)[:2]
-            many = slots if len(slots) > 2 or name.startswith("grid") else ()
-            self.code.append((_function(name, arithmetic), first, second, many))
+        for slot, (name, arguments) in enumerate(program.operations, len(program.inputs)):
+            function, count = known.get(name) or arithmetic.function(name), len(arguments)
+            first, second = arguments if count == 2 else (arguments[0], 0) if count == 1 else (arguments, 0)
+            self.code.append((function, slot, count, first, second))
+        self.tail = [None] * len(self.code) + [arithmetic.literal(number) for number in reversed(program.literals)]
 
     def run(self, values: Sequence[Any]) -> list[Any]:
         """Compute the outputs for the values of the inputs, in their order."""
-        slots = [*values, *self.literals]
-        push = slots.append
-        for function, first, second, many in self.code:
-            if many:
-                push(function(*[slots[slot] for slot in many]))
-            elif second >= 0:
-                push(function(slots[first], slots[second]))
-            elif first >= 0:
-                push(function(slots[first]))
-            else:
-                push(function())
+        slots = self.slots(values)
         return [slots[slot] for slot in self.outputs]
 
-
-def _function(name: str, arithmetic: Arithmetic) -> Callable[..., Any]:
-    found = arithmetic.functions.get(name)
-    if found is not None:
-        return found
-    if name.startswith("power"):
-        power = int(name[5:])
-        raise_to = arithmetic.functions["integer_power"]
-        return lambda base: raise_to(base, power)
-    if name.startswith("grid"):
-        rows = int(name[4:])
-        return lambda *entries: Table(tuple(_chunks(entries, rows)))
-    row, column = (int(part) for part in name.removeprefix("entry").split(","))
-    return lambda table: table.rows[row - 1][column - 1]
+    def slots(self, values: Sequence[Any]) -> list[Any]:
+        """Compute all slots."""
+        slots: list[Any] = [*values, *self.tail]
+        for function, slot, count, first, second in self.code:
+            if count == 2:
+                slots[slot] = function(slots[first], slots[second])
+            elif count == 1:
+                slots[slot] = function(slots[first])
+            else:
+                slots[slot] = function(*[slots[argument] for argument in first])
+        return slots
 
 
 def _chunks(entries: tuple[Any, ...], rows: int) -> list[tuple[Any, ...]]:

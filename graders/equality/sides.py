@@ -1,0 +1,152 @@
+"""Both sides of the zero of one argument in a box: found by descent, or shown by branch and bound not to be there."""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from graders.judge import Domain
+from graders.language.intervals import Interval
+from graders.states import Point, near_end
+
+BOXES = 64  # of branch and bound
+HALVINGS = 16  # of the step of a descent
+BISECTIONS = 34
+ASIDE = (1e-3, 1e-6, 1e-10)  # distances from a border, as shares of the way between two points
+END = 1e-9  # distance from the end of a domain, as a share of its width
+TOUCHING = 1e-7  # of the usual size of an argument
+ROUND = 2e-4  # how far from a touched zero, as a share of a domain
+
+Box: TypeAlias = tuple[Interval, ...]
+Found: TypeAlias = tuple[float, Point]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One argument of a formula over a box.
+
+    Attributes:
+        value: Its value in doubles.
+        state: Whether a point is a state.
+        bounds: The interval of its values on a box.
+        box: The domains of all symbols.
+        moving: Numbers of the symbols that it depends on.
+    """
+
+    value: Callable[[Point], float]
+    state: Callable[[Point], bool]
+    bounds: Callable[[Box], Interval]
+    box: tuple[Domain, ...]
+    moving: tuple[int, ...]
+
+    def sides(self, held: Sequence[Found], one_sided: bool) -> Iterator[tuple[Point, bool]]:
+        """Give points on both sides of the zero, or around a zero that is only touched (marked).
+
+        Args:
+            held: Values at some points.
+            one_sided: The argument is known not to change its sign.
+        """
+        if not held:
+            return
+        low, high = min(held), max(held)
+        if low[0] < 0 < high[0]:
+            yield from ((point, False) for point in self._beside(low[1], high[1]))
+            return
+        sign = 1.0 if high[0] > 0 else -1.0
+        start, far = (low, high) if sign > 0 else ((-high[0], high[1]), (-low[0], low[1]))
+        best = self._descent(start, sign)
+        if best[0] >= 0 and not one_sided:
+            best = self._bounded(best, sign)
+        if best[0] < 0:
+            yield from ((point, False) for point in self._beside(far[1], best[1]))
+        elif best[0] <= TOUCHING * far[0]:
+            yield from ((point, True) for point in self._round(best[1]))
+
+    def _descent(self, best: Found, sign: float) -> Found:
+        """Go down until the sign changes: from corner to corner first, then by ever smaller steps."""
+        for high in (False, True, False, True):
+            for at in self.moving:
+                best = self._better(best, at, near_end(self.box[at], high, END), sign)
+        step = 0.25
+        for _ in range(HALVINGS):
+            if best[0] < 0:
+                break
+            for at in self.moving:
+                width = step * (self.box[at].high - self.box[at].low)
+                best = min(self._better(best, at, best[1][at] + way, sign) for way in (-width, width))
+            step /= 2
+        return best
+
+    def _better(self, best: Found, at: int, place: float, sign: float) -> Found:
+        point = self._moved(best[1], at, place)
+        found = sign * self.value(point)
+        return (found, point) if found < best[0] and self.state(point) else best
+
+    def _moved(self, point: Point, at: int, place: float) -> Point:
+        """Move one symbol, never quite to the end of its domain."""
+        domain = self.box[at]
+        inside = min(max(place, near_end(domain, False, END)), near_end(domain, True, END))
+        return (*point[:at], float(round(inside)) if domain.integer else inside, *point[at + 1 :])
+
+    def _bounded(self, best: Found, sign: float) -> Found:
+        """Branch and bound: a point of the other side, where one is found."""
+        whole: Box = tuple([(domain.low, domain.high) for domain in self.box])
+        heap = [(self._bound(whole, sign), 0, whole)]
+        for number in range(1, 2 * BOXES, 2):
+            bound, _, box = heapq.heappop(heap)
+            if bound >= 0:
+                break
+            middle = best[1]
+            for at in self.moving:
+                middle = self._moved(middle, at, (box[at][0] + box[at][1]) / 2)
+            found = sign * self.value(middle)
+            if found < 0 and self.state(middle):
+                return found, middle
+            for more, half in enumerate(self._halves(box)):
+                heapq.heappush(heap, (self._bound(half, sign), number + more, half))
+        return best
+
+    def _bound(self, box: Box, sign: float) -> float:
+        low, high = self.bounds(box)
+        bound = low if sign > 0 else -high
+        return -math.inf if math.isnan(bound) else bound
+
+    def _halves(self, box: Box) -> tuple[Box, Box]:
+        """Cut a box across its widest side."""
+        at = max(self.moving, key=lambda at: (box[at][1] - box[at][0]) / (self.box[at].high - self.box[at].low or 1.0))
+        low, high = box[at]
+        middle = (low + high) / 2
+        return (*box[:at], (low, middle), *box[at + 1 :]), (*box[:at], (middle, high), *box[at + 1 :])
+
+    def _beside(self, one: Point, other: Point) -> Iterator[Point]:
+        """Find the border between two points of different sides, and give points on both sides of it."""
+        low, high, first = 0.0, 1.0, self.value(one) > 0
+        for _ in range(BISECTIONS):
+            middle = (low + high) / 2
+            if (self.value(self._between(one, other, middle)) > 0) is first:
+                low = middle
+            else:
+                high = middle
+        for distance in ASIDE:
+            yield self._between(one, other, max(0.0, low - distance))
+            yield self._between(one, other, min(1.0, high + distance))
+
+    def _between(self, one: Point, other: Point, share: float) -> Point:
+        found = [a + (b - a) * share for a, b in zip(one, other, strict=True)]
+        for at in self.whole:
+            found[at] = float(round(found[at]))
+        return tuple(found)
+
+    @property
+    def whole(self) -> tuple[int, ...]:
+        """Give the numbers of the symbols that are whole numbers."""
+        return tuple([at for at, domain in enumerate(self.box) if domain.integer])
+
+    def _round(self, point: Point) -> Iterator[Point]:
+        """Step aside from a touched zero along every symbol."""
+        for at in self.moving:
+            width = ROUND * (self.box[at].high - self.box[at].low)
+            yield from (self._moved(point, at, point[at] + way) for way in (-width, width))
