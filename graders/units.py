@@ -13,7 +13,7 @@ from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.proposals import nearest
-from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
+from graders.language.symbols import DEGREES, LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.tokens import SAME, SPACES
 
 
@@ -56,7 +56,8 @@ PREFIXES = {
 }  # fmt: skip
 RUN_TOGETHER = (("N", ("m", "cm", "mm")), ("Н", ("м", "см", "мм")))  # kNm is kN·m, and kNm² is kN·m²
 PLAIN = {
-    **dict.fromkeys(("deg", "°", "st", "stopni", "stopnie", "град", "градусов"), _unit(math.pi / 180, angle=1)),
+    **dict.fromkeys(("°", *DEGREES), _unit(math.pi / 180, angle=1)),
+    **dict.fromkeys(("radian", "radians", "radianów", "радиан", "радиана"), _unit(1, angle=1)),
     **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
     **dict.fromkeys(('"', "arcsec"), _unit(math.pi / 648000, angle=1)),
     **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1, tag="turn")),
@@ -198,7 +199,7 @@ class _UnitReader:
             self.depth -= 1
             return NONE, unit
         found = _named(self.piece) or _named(self.piece.translate(TO_CYRILLIC))
-        after = self.text[self.place :].lstrip()
+        after = self.text[self.place :].lstrip(" )")
         alone = self.kind == "number" and after[:1] != "/" and self.text.strip() != "1"  # 1/s, never kN * 1
         if found is None or alone or self.kind not in ("name", "number"):
             raise self.error()

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import inf, pi, remainder
 from typing import Any, ClassVar
 
+from graders.angles import is_angle
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.language import doubles
@@ -15,7 +16,7 @@ from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Angle, Grid, Relation, Tree, Unary, names, walk
+from graders.language.tree import Grid, Relation, Tree, names
 from graders.units import Unit, read_unit
 from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
 
@@ -68,7 +69,7 @@ class Matrix:
 
     def _value(self, column: int, entry: Tree, text: str) -> float:
         unit = self._unit(column)
-        own = unit.dimension == ANGLE and any(map(_arc, walk(entry)))
+        own = unit.dimension == ANGLE and is_angle(entry)
         return _number(entry, text) * (1.0 if own else unit.factor)
 
     def _differences(self, one: Rows, other: Rows) -> Rows:
@@ -136,10 +137,6 @@ def _scale(rows: Rows) -> float:
 
 def _decimal(entry: float) -> str:
     return f"{entry:.8f}".rstrip("0").rstrip(".") if abs(entry) >= 5e-9 else "0"
-
-
-def _arc(node: Tree) -> bool:
-    return isinstance(node, Angle) or (isinstance(node, Unary) and node.operator == "°")
 
 
 def _number(entry: Tree, text: str) -> float:

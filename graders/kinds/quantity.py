@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar
 
+from graders.angles import is_angle, without_last_degree
 from graders.judge import Echo, Samples
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
@@ -18,11 +19,12 @@ from graders.language.parser import parse
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
 from graders.language.tokens import LETTER, MAX_LENGTH, Token, tokenize
-from graders.language.tree import Angle, Number, Tree, Unary, walk
+from graders.language.tree import Number, Tree, Unary
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
+ANGLE = (0, 0, 0, 1, 0)  # dimension
 LONGEST = 200  # characters of an amount that is read at a glance
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
@@ -79,9 +81,17 @@ class Quantity:
         tree, number, rest, at = _read_number(TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text)))
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
-        if unit is None and any(isinstance(node, Angle) or _arc(node) for node in walk(tree)):
-            return Amount(tree, number, read_unit("rad"), "", _bounded(number, number))
-        return self._amount(tree, number, unit_text, unit)
+        return (None if unit else self._angle(tree, number)) or self._amount(tree, number, unit_text, unit)
+
+    def _angle(self, tree: Tree, number: float) -> Amount | None:
+        """Read a number that names no unit but says that it is an angle; None for any other."""
+        asked = read_unit(self.unit).dimension == ANGLE
+        degrees = without_last_degree(tree) if asked else None
+        if degrees is not None:
+            return self._amount(degrees, _computed(degrees, 0, ""), "°", read_unit("°"))
+        if not is_angle(tree, asked):
+            return None
+        return Amount(tree, number, read_unit("rad"), "" if is_angle(tree, False) else "rad", _bounded(number, number))
 
     def _amount(self, tree: Tree, number: float, unit_text: str, unit: Unit | None) -> Amount:
         expected = read_unit(self.unit)
@@ -124,7 +134,7 @@ class Quantity:
         return abs(self._difference(value, reference)) <= tolerance * (1 + SLACK) + SLACK * abs(reference) * self.rtol
 
     def _difference(self, value: float, reference: float) -> float:
-        if read_unit(self.unit).dimension != (0, 0, 0, 1, 0):
+        if read_unit(self.unit).dimension != ANGLE:
             return value - reference
         return math.remainder(value - reference, 2 * math.pi)
 
@@ -161,10 +171,6 @@ def _bounded(number: float, value: float) -> float:
     if not max(abs(number), abs(value)) < GREATEST:
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0)
     return value
-
-
-def _arc(node: Tree) -> bool:
-    return isinstance(node, Unary) and node.operator == "°"
 
 
 def _bare(rest: str) -> str:
@@ -221,22 +227,25 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     number_text = text[start:cut]
     if not number_text.strip():
         raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, text[start : start + 20].strip())
-    try:
-        tree = parse(" " * start + number_text, NOTHING)
-        (number,) = doubles.run(doubles.line_runner(tree), [])
-    except doubles.UndefinedError:
-        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, start, number_text.strip()[:20]) from None
-    except ValueError as error:
-        if isinstance(error, AnswerSyntaxError):
-            raise
-        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, number_text.strip()[:20]) from None
-    if not isinstance(number, float):
-        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, number_text.strip()[:20])
+    tree = parse(" " * start + number_text, NOTHING)
+    number = _computed(tree, start, number_text.strip()[:20])
     rest = text[cut:].lstrip()
     cut = len(text) - len(rest)
     if rest.startswith(("/", "∕", "÷")):
         return tree, number, "1" + rest, cut - 1
     return tree, number, rest, cut
+
+
+def _computed(tree: Tree, place: int, typed: str) -> float:
+    try:
+        (number,) = doubles.run(doubles.line_runner(tree), [])
+    except doubles.UndefinedError:
+        raise AnswerSyntaxError(Reason.OUT_OF_RANGE, place, typed) from None
+    except ValueError:
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, place, typed) from None
+    if not isinstance(number, float):
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, place, typed)
+    return number
 
 
 def _unit_starts(tokens: list[Token], end: int) -> int:
@@ -248,11 +257,22 @@ def _unit_starts(tokens: list[Token], end: int) -> int:
             break
     else:
         return end
-    if at > 1 and tokens[at - 1].kind == "(":  # 12 (mm), 12 ((N)/(mm^2))
-        while at > 1 and tokens[at - 1].kind == "(":
-            at -= 1
+    opened = _opened_before(tokens, at)
+    if opened:  # 12 (mm), 12 ((N)/(mm^2)), 12 ((1)/(s))
+        at = opened
     elif at and tokens[at - 1].kind == "/":
         at -= 1
         if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
             at -= 1
     return tokens[at].position
+
+
+def _opened_before(tokens: list[Token], at: int) -> int:
+    """Find the outermost bracket around a name that opens behind a number; 0 where there is none."""
+    opened: list[int] = []
+    for place, token in enumerate(tokens[:at]):
+        if token.kind == "(":
+            opened.append(place)
+        elif token.kind == ")" and opened:
+            opened.pop()
+    return next((place for place in opened if place and tokens[place - 1].kind in ("number", ")", "°")), 0)

@@ -31,8 +31,8 @@ def _bracket(tokens: Sequence[Token]) -> str:
     depth = 0
     for at, token in enumerate(tokens):
         depth += (token.kind == "(") - (token.kind == ")")
-        if depth == 0:
-            return "".join(t.text for t in tokens[: at + 1]) if at else ""
+        if depth <= 0:
+            return "".join(t.text for t in tokens[: at + 1]) if at and depth == 0 else ""
     return ""
 
 

@@ -27,7 +27,10 @@ LOOK_ALIKES = dict(zip("АВЕКМНОРСТХаеорсухіѕј", "ABEKMHOPCT
 DOTS = {"\u0307": "_d", "\u0308": "_dd"}  # a dot over a name is its rate
 RATES = {"_dot": "_d", "_ddot": "_dd", "''": "_dd", "'": "_d"}  # other ways to write it, where the rate is declared
 
-DEGREES = ("deg", "stopni", "stopnie", "st", "град", "градусов")  # words behind a number of degrees
+DEGREES = (  # words behind a number of degrees
+    "deg", "degree", "degrees", "st", "stopień", "stopnia", "stopnie", "stopni",
+    "град", "градус", "градуса", "градусов",
+)  # fmt: skip
 
 FUNCTIONS: dict[str, tuple[int, int]] = {  # least and greatest number of arguments
     **dict.fromkeys(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot"), (1, 1)),

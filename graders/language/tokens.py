@@ -18,7 +18,8 @@ MAX_EXPONENT = 999  # of a power of ten in a literal
 SAME = {
     "·": "*", "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "∗": "*", "−": "-", "–": "-", "—": "-", "‐": "-",
     "‑": "-", "÷": "/", "∕": "/", "⁄": "/", ":": "/", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">=", "’": "'", "′": "'",
-    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "⟨": "<", "⟩": ">",
+    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "~": "=", "∼": "=", "⟨": "<",
+    "⟩": ">",
 }  # fmt: skip
 SPACES = " \t\r\n\u00a0\u2009\u202f\u2002\u2003\u2007"
 POWER_OF_TEN = str.maketrans("еЕ", "eE")  # the Cyrillic letter in 1,2е4
@@ -29,6 +30,7 @@ TOKEN = re.compile(
     r"|(?P<raised>[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√°'\"%])"
 )
+OF_DEGREES = re.compile(r"(?:sin|cos|tan|tg|ctg|cot)(?=\d{1,6}(?:[.,]\d{1,12})? ?°)")  # sin105°
 CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}
 TWO_ARGUMENTS = ("atan2", "arctg2", "arctan2", "root", "macaulay", "min", "max", "log", "pierw")
 
@@ -77,7 +79,7 @@ def _tokens(text: str) -> list[Token]:
 
 def _plain(text: str) -> str:
     """Map each character to one character of the language, so that places stay as typed."""
-    if text.isascii() and text.isprintable() and ":" not in text:
+    if text.isascii() and text.isprintable() and ":" not in text and "~" not in text:
         return text
     mapped = [_mapped(char) for char in text]
     if "" in mapped:
@@ -107,6 +109,9 @@ def _next(plain: str, place: int, separating: frozenset[int]) -> Token:
     char = plain[place]
     if char in "≤≥⩽⩾":
         return Token(SAME[char], char, place)
+    found = OF_DEGREES.match(plain, place)
+    if found is not None:
+        return Token("name", found.group(), place)
     found = TOKEN.match(plain, place)
     if found is None:
         reason = Reason.LOOK_ALIKE if char in LOOK_ALIKES else Reason.BAD_CHARACTER

@@ -176,6 +176,46 @@ def test_angles_are_read_in_degrees_minutes_and_radians(typed: str) -> None:
     assert judged(Quantity("deg"), typed, -0.2159367698) is Code.RIGHT
 
 
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "-asin(45*sin(105°)/220)",
+        "-arcsin(45/220·sin105°)",
+        "-asin(0.197576)",
+        "-arcsin 0,197576 rad",
+        "-asin(45*sin(105°)/220)*180/pi",
+        "-180/π·arcsin(45·sin(105°)/220)",
+        "180 - 191,3952°",
+        "-0,198884·180/π °",
+        "asin(0.802424*sin(90°)) - 64.7582°",
+        "-11,3952 stopnia",
+        "-11.3952 degrees",
+        "-0.198884 radians",
+        "-11,3952 градуса",
+    ],
+)
+def test_a_computed_angle_is_read_in_the_unit_it_speaks_of(typed: str) -> None:
+    assert judged(Quantity("deg"), typed, -0.198884) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("unit", "reference", "typed"),
+    [
+        ("mm", 0.2040164, "45*cos(105°) + 220*cos(-11,3952°)"),
+        ("mm", 0.2040164, "45·cos105° + 220·cos 11,3952°"),
+        ("m", 0.1047198, "0,2*30°"),
+        ("m", 0.1047198, "0.4*asin(0.2588190)"),
+        ("1", 1.0, "tg45°"),
+    ],
+)
+def test_a_degree_sign_inside_a_function_does_not_make_an_angle(unit: str, reference: float, typed: str) -> None:
+    assert judged(Quantity(unit), typed, reference) is Code.RIGHT
+
+
+def test_an_angle_where_none_is_asked_for_is_of_another_dimension() -> None:
+    assert judged(Quantity("mm"), "30°", 0.03) is Code.WRONG_DIMENSION
+
+
 def test_credit_for_a_number_in_the_wrong_unit_is_declared_by_the_task() -> None:
     assert Quantity("MPa").check(Quantity("MPa").parse("12.5 kPa", NOTHING), 12.5e6).score == 0.5
     strict = Quantity("MPa", unit_credit=0.0)

@@ -170,6 +170,8 @@ def test_what_cannot_be_read_is_refused_with_its_place_in_the_latex(latex: str, 
         ("N", 12500.0, r"12\,500\,\mathrm{N}"),
         ("kN", 12500.0, r"\frac{25}{2}"),
         ("m/s", 5.0, r"5\mathrm{\frac{m}{s}}"),
+        ("rad/s", 0.27, r"0{,}27\,\frac{1}{\mathrm{s}}"),
+        ("rad/s", 0.27, r"\frac{27}{100}\frac{1}{s}"),
     ],
 )
 def test_an_amount_from_a_formula_editor_is_right(unit: str, reference: float, latex: str) -> None:

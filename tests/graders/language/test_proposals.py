@@ -26,6 +26,8 @@ letters = st.text("abc", max_size=6)
     [
         ("ac(x+1)", Reason.UNKNOWN_NAME, 0, "ac", "a·c·(x+1)"),
         ("2ac", Reason.UNKNOWN_NAME, 1, "ac", "a·c"),
+        ("x/(ac)+x(a)", Reason.UNKNOWN_NAME, 3, "ac", "a·c"),
+        ("sin30", Reason.UNKNOWN_NAME, 0, "sin30", "sin(30)"),
         ("tgx", Reason.UNKNOWN_NAME, 0, "tgx", "tan(x)"),
         ("tgx(a+c)", Reason.UNKNOWN_NAME, 0, "tgx", "tan(x)·(a+c)"),
         ("xtg(a)", Reason.UNKNOWN_NAME, 0, "xtg", "x·tan(a)"),
