@@ -15,6 +15,10 @@ REACH = 1e-12  # a gap below this part of the size is rounding, not distance
 DEAD = 1e-7  # sine of the angle between the bars below which it is the root of a rounding error
 
 
+Vectors = tuple[float, float, float, float, float]  # PQ, GQ and their cross product
+Rates = tuple[float, float, float, float]  # omega5, omega6, epsilon5, epsilon6
+
+
 class Names(NamedTuple):
     """How messages call the two points and the two bars."""
 
@@ -24,9 +28,7 @@ class Names(NamedTuple):
     second: str
 
 
-def vectors(
-    dx: float, dy: float, l5: float, l6: float, left: bool, names: Names
-) -> tuple[float, float, float, float, float]:
+def vectors(dx: float, dy: float, l5: float, l6: float, left: bool, names: Names) -> Vectors:
     """Give PQ, GQ and their cross product: Q is the corner of the triangle over PG, its height by Heron's formula.
 
     Args:
@@ -66,10 +68,10 @@ def _stretched(apart: float, l5: float, l6: float, names: Names) -> float:
 
 
 def rates(
-    at: tuple[float, float, float, float, float],
+    at: Vectors,
     velocity: tuple[float, float],
     acceleration: tuple[float, float],
-) -> tuple[float, float, float, float]:
+) -> Rates:
     """Give the angular velocities of PQ and GQ, then their angular accelerations.
 
     Args:
@@ -104,4 +106,4 @@ def measure(cross: float, l5: float, l6: float, place: str) -> float:
     found = abs(cross) / (l5 * l6)
     if found < DEAD:
         raise SingularError(f"{place}: their angular velocities are not determined")
-    return found
+    return min(1.0, found)

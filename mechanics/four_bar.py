@@ -87,17 +87,24 @@ def motion(
 
     The plain numbers of `solve`, for long sweeps.
     """
+    _, _, at, rates = _state(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
+    return atan2(at[1], at[0]), atan2(at[3], at[2]), *rates
+
+
+def _state(
+    l1: float, l2: float, l3: float, l4: float, alpha1: float, omega1: float, epsilon1: float, mode: Mode
+) -> tuple[float, float, dyad.Vectors, dyad.Rates]:
+    """Give AB, then what `dyad.vectors` and `dyad.rates` know of coupler and rocker."""
     _check(l1, l2, l3, l4, alpha1, mode)
     if not abs(omega1) + abs(epsilon1) <= _LARGEST:
         _refuse(omega1, epsilon1, 0.0, 0.0)
     x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
     at = dyad.vectors(l4 - x1, -y1, l2, l3, mode == "C_left_of_BD", NAMES)
-    x2, y2, x3, y3, cross = at
-    if abs(cross) < dyad.DEAD * l2 * l3:
-        dyad.measure(cross, l2, l3, f"{DEAD_NAME} at {alpha1:g} rad")
+    if abs(at[4]) < dyad.DEAD * l2 * l3:
+        dyad.measure(at[4], l2, l3, f"{DEAD_NAME} at {alpha1:g} rad")
     square = omega1 * omega1
-    velocity, acceleration = (omega1 * y1, -omega1 * x1), (epsilon1 * y1 + square * x1, square * y1 - epsilon1 * x1)
-    return atan2(y2, x2), atan2(y3, x3), *dyad.rates(at, velocity, acceleration)
+    acceleration = epsilon1 * y1 + square * x1, square * y1 - epsilon1 * x1
+    return x1, y1, at, dyad.rates(at, (omega1 * y1, -omega1 * x1), acceleration)
 
 
 def solve(
@@ -139,13 +146,13 @@ def solve(
     u, v = coupler_point
     if not abs(u) + abs(v) <= _LARGEST:
         _refuse(0.0, 0.0, u, v)
-    alpha2, alpha3, omega2, omega3, epsilon2, epsilon3 = motion(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
-    x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
-    c, s = cos(alpha2), sin(alpha2)
-    px, py = u * c - v * s, u * s + v * c  # BP
+    x1, y1, at, rates = _state(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
+    x2, y2, x3, y3, cross = at
+    omega2, omega3, epsilon2, epsilon3 = rates
+    px, py = (u * x2 - v * y2) / l2, (u * y2 + v * x2) / l2  # BP
     square1, square2 = omega1 * omega1, omega2 * omega2
     return LinkageMotion(
-        {"alpha2": alpha2, "alpha3": alpha3, "P_x": x1 + px, "P_y": y1 + py},
+        {"alpha2": atan2(y2, x2), "alpha3": atan2(y3, x3), "P_x": x1 + px, "P_y": y1 + py},
         {"alpha2": omega2, "alpha3": omega3, "P_x": -omega1 * y1 - omega2 * py, "P_y": omega1 * x1 + omega2 * px},
         {
             "alpha2": epsilon2,
@@ -153,7 +160,7 @@ def solve(
             "P_x": -epsilon1 * y1 - square1 * x1 - epsilon2 * py - square2 * px,
             "P_y": epsilon1 * x1 - square1 * y1 + epsilon2 * px - square2 * py,
         },
-        Singular(abs(sin(alpha3 - alpha2)), DEAD_NAME),
+        Singular(min(1.0, abs(cross) / (l2 * l3)), DEAD_NAME),
     )
 
 

@@ -29,17 +29,30 @@ def solve(matrix: Sequence[Sequence[Number]], right: Sequence[Number], floor: fl
         The ``n`` unknowns; Fractions are exact.
 
     Raises:
-        ValueError: The system is not square.
+        ValueError: The system is empty or not square.
         SingularError: No unique solution.
     """
+    return solve_with_pivot(matrix, right, floor)[0]
+
+
+def solve_with_pivot(
+    matrix: Sequence[Sequence[Number]], right: Sequence[Number], floor: float = PIVOT_FLOOR
+) -> tuple[list[Number], Number]:
+    """Solve a square system and tell how near it is to a singular one; arguments and errors as for `solve`.
+
+    Returns:
+        The unknowns, and the smallest pivot of the scaled system with the sign of its determinant.
+    """
     size = len(matrix)
-    if len(right) != size or any(len(row) != size for row in matrix):
+    if not size or len(right) != size or any(len(row) != size for row in matrix):
         raise ValueError(f"{size} equations need {size} unknowns and {size} right-hand sides")
     scales = [_largest(column) for column in zip(*matrix, strict=True)]
     rows = [_scaled(row, scales, value) for row, value in zip(matrix, right, strict=True)]
-    for column in range(size):
-        _eliminate_below(rows, column, floor)
-    return [unknown / scale for unknown, scale in zip(_back_substituted(rows), scales, strict=True)]
+    pivots = [_eliminate_below(rows, column, floor) for column in range(size)]
+    smallest = min(abs(pivot) for pivot in pivots)
+    negative = sum(pivot < 0 for pivot in pivots) % 2
+    unknowns = [unknown / scale for unknown, scale in zip(_back_substituted(rows), scales, strict=True)]
+    return unknowns, -smallest if negative else smallest
 
 
 def _largest(entries: Sequence[Number]) -> Number:
@@ -56,17 +69,19 @@ def _scaled(row: Sequence[Number], scales: Sequence[Number], value: Number) -> l
     return [entry / largest for entry in coefficients]
 
 
-def _eliminate_below(rows: list[list[Number]], column: int, floor: float) -> None:
+def _eliminate_below(rows: list[list[Number]], column: int, floor: float) -> Number:
+    """Clear a column below its pivot; the pivot changes its sign where two rows change places."""
     best = max(range(column, len(rows)), key=lambda i: abs(rows[i][column]))
     rows[column], rows[best] = rows[best], rows[column]
     pivot = rows[column]
     if abs(pivot[column]) <= (floor if isinstance(pivot[column], float) else 0):
         raise SingularError(f"unknown {column + 1} of {len(rows)} is not determined")
+    tail = pivot[column:]
     for row in rows[column + 1 :]:
         if row[column]:
             factor = row[column] / pivot[column]
-            for i in range(column, len(row)):
-                row[i] -= factor * pivot[i]
+            row[column:] = [entry - factor * above for entry, above in zip(row[column:], tail, strict=True)]
+    return pivot[column] if best == column else -pivot[column]
 
 
 def _back_substituted(rows: list[list[Number]]) -> list[Number]:

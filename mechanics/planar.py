@@ -15,13 +15,14 @@ from typing import Literal, Protocol
 from mechanics import linear
 from mechanics.checks import finite, positive
 from mechanics.errors import AssemblyError, SingularError
-from mechanics.linkage import principal
+from mechanics.linkage import Singular, principal
 
 Pose = tuple[float, float, float]
 Poses = Sequence[Pose]
 
 FRAME: Pose = (0.0, 0.0, 0.0)
 CLOSED = 1e-12  # gap against the size of the mechanism; one more step of Newton then reaches rounding
+DEAD_NAME = "the drivers do not determine the velocities"
 DEAD = 1e-5  # pivot of the rates below which they are noise: the position is then known to 1e-6 at best
 STEPS, HALVINGS = 100, 40
 QUARTER = pi / 2
@@ -175,6 +176,12 @@ class Motion:
     poses: tuple[Pose, ...]
     rates: tuple[Pose, ...]
     accelerations: tuple[Pose, ...]
+    pivot: float  # smallest of the scaled equations, with the sign of their determinant, which tells assemblies apart
+
+    @property
+    def singular(self) -> Singular:
+        """Give the distance to a dead position: the smallest pivot, 0 where the drivers leave a velocity open."""
+        return Singular(min(1.0, abs(self.pivot)), DEAD_NAME)
 
     def point(self, marker: Marker) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
         """Position (m), velocity (m/s) and acceleration (m/s^2) of a point of a body."""
@@ -204,55 +211,52 @@ def solve(joints: Sequence[Joint], start: Sequence[Pose]) -> Motion:
         for name, value, unit in zip(("x", "y", "phi"), pose, ("m", "m", "rad"), strict=True):
             finite(f"guess {name} of body {i + 1}", value, unit)
     poses = assemble(joints, start)
-    slopes, rows = _system(joints, poses, (FRAME,) * len(poses))
-    rates = _rates(slopes, [row.rate for row in rows])
-    slopes, rows = _system(joints, poses, rates)
-    return Motion(poses, rates, _rates(slopes, [row.acceleration - row.drift for row in rows]))
+    still = _rows(joints, poses, (FRAME,) * len(poses))
+    rates, pivot = _rates(still, [row.rate for row in still])
+    moving = _rows(joints, poses, rates)
+    accelerations, _ = _rates(moving, [row.acceleration - row.drift for row in moving])
+    return Motion(poses, rates, accelerations, pivot)
 
 
-def _rates(slopes: list[list[float]], right: list[float]) -> tuple[Pose, ...]:
+def _rates(rows: list[Row], right: list[float]) -> tuple[tuple[Pose, ...], float]:
     try:
-        return _by_body(linear.solve(slopes, right, DEAD))
+        values, pivot = linear.solve_with_pivot(_slopes(rows), right, DEAD)
     except SingularError:
-        raise SingularError("dead position: the drivers do not determine the velocities here") from None
+        raise SingularError(f"dead position: {DEAD_NAME} here") from None
+    return _by_body(values), pivot
 
 
 def assemble(joints: Sequence[Joint], start: Sequence[Pose]) -> tuple[Pose, ...]:
     """Close the mechanism by Newton's method with step halving; arguments and errors as for `solve`."""
     poses = _by_body([value for pose in start for value in pose])
     size = 1.0 + max(abs(value) for pose in poses for value in pose)
-    gap = _gap(joints, poses)
+    still = (FRAME,) * len(poses)
+    rows = _rows(joints, poses, still)
+    gap = _gap(rows)
     for _ in range(STEPS):
-        step = _newton_step(joints, poses)
+        step = _newton_step(rows)
         if step is None:
             break
         if gap <= CLOSED * size:
             return _moved(poses, step, 1.0)
-        closer = _best_part(joints, poses, step, gap)
-        if closer is None:
+        for halving in range(HALVINGS):
+            tried = _moved(poses, step, 0.5**halving)
+            new_rows = _rows(joints, tried, still)
+            if _gap(new_rows) < gap:
+                break
+        else:
             break
-        poses, gap = closer
+        poses, rows, gap = tried, new_rows, _gap(new_rows)
     if gap <= CLOSED * size:
         return poses
     raise AssemblyError(f"the mechanism cannot be assembled from this guess: its joints stay {gap:.4g} (m, rad) apart")
 
 
-def _newton_step(joints: Sequence[Joint], poses: Poses) -> tuple[Pose, ...] | None:
-    slopes, rows = _system(joints, poses, (FRAME,) * len(poses))
+def _newton_step(rows: list[Row]) -> tuple[Pose, ...] | None:
     try:
-        return _by_body(linear.solve(slopes, [-row.residual for row in rows]))
+        return _by_body(linear.solve(_slopes(rows), [-row.residual for row in rows]))
     except SingularError:
         return None
-
-
-def _best_part(joints: Sequence[Joint], poses: Poses, step: Poses, gap: float) -> tuple[tuple[Pose, ...], float] | None:
-    """Take the longest of the halved steps that comes closer; None when none does."""
-    for halving in range(HALVINGS):
-        tried = _moved(poses, step, 0.5**halving)
-        new_gap = _gap(joints, tried)
-        if new_gap < gap:
-            return tried, new_gap
-    return None
 
 
 def _moved(poses: Poses, step: Poses, part: float) -> tuple[Pose, ...]:
@@ -262,17 +266,20 @@ def _moved(poses: Poses, step: Poses, part: float) -> tuple[Pose, ...]:
     )
 
 
-def _gap(joints: Sequence[Joint], poses: Poses) -> float:
-    still = (FRAME,) * len(poses)
-    return hypot(*(row.residual for joint in joints for row in joint.rows(poses, still)))
+def _gap(rows: list[Row]) -> float:
+    return hypot(*(row.residual for row in rows))
 
 
-def _system(joints: Sequence[Joint], poses: Poses, rates: Poses) -> tuple[list[list[float]], list[Row]]:
+def _rows(joints: Sequence[Joint], poses: Poses, rates: Poses) -> list[Row]:
     rows = [row for joint in joints for row in joint.rows(poses, rates)]
     coordinates = 3 * (len(poses) - 1)
     if len(rows) != coordinates:
         raise ValueError(f"{len(rows)} equations of joints and drivers for {coordinates} coordinates")
-    return [[row.slopes.get(i, 0.0) for i in range(coordinates)] for row in rows], rows
+    return rows
+
+
+def _slopes(rows: list[Row]) -> list[list[float]]:
+    return [[row.slopes.get(i, 0.0) for i in range(len(rows))] for row in rows]
 
 
 def _by_body(values: Sequence[float]) -> tuple[Pose, ...]:

@@ -99,8 +99,9 @@ def motion(
     omega2 = -omega1 * x1 / x2  # (8)
     square1, square2 = omega1 * omega1, omega2 * omega2
     epsilon2 = (square1 * y1 - epsilon1 * x1 + square2 * y2) / x2  # (12)
+    alpha2 = atan2(y2, x2)
     return (
-        principal(atan2(y2, x2)),
+        alpha2 if alpha2 > -pi else pi,
         x1 + x2,  # (5)
         omega2,
         -omega1 * y1 - omega2 * y2,  # (9)
