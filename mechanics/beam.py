@@ -9,8 +9,7 @@ one to its left, at x = 0 the one inside the beam.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -194,22 +193,19 @@ def _reactions(beam: Beam, stations: list[Station], starts: list[State], ends: l
 
 
 def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: tuple[Piece, ...], ends: list[State]) -> BeamResult:
-    found = _Extremes()
-    for piece, end in zip(pieces, ends, strict=True):
-        _collect(piece, end, beam.L, found)
-    found.x_v.append(beam.L)
-    found.v.append(pieces[-1].deflection(beam.L - pieces[-1].x1))
-    x_M, M_far = _farthest(found.x_M, found.M)
-    x_v, v_far = _farthest(found.x_v, found.v)
-    V_far = max(max(found.V), -min(found.V))
+    shears, moments, sags = _candidates(pieces, ends, beam.L)
+    x_M, M_far = _farthest(moments)
+    x_v, v_far = _farthest(sags)
+    V_far = max(max(shears), -min(shears))
     finite("the sum of the answers", M_far + V_far + v_far + sum([r.Fy for r in reactions]), "")
     W, sigma, tau = _stresses(beam, abs(M_far), V_far)
+    values = [M for _, M in moments]
     return BeamResult(
         reactions=reactions,
         pieces=pieces,
         degree=degree(beam),
-        M_max=max(found.M),
-        M_min=min(found.M),
+        M_max=max(values),
+        M_min=min(values),
         M_abs_max=abs(M_far),
         x_M_abs_max=x_M,
         V_abs_max=V_far,
@@ -231,49 +227,44 @@ def _stresses(beam: Beam, M: float, V: float) -> tuple[float | None, float | Non
     return W, M / W, V * section.first_moment / (beam.second_moment * section.neutral_width)
 
 
-@dataclass(slots=True)
-class _Extremes:
-    """Places and values that may be extreme, by rising place."""
-
-    V: list[float] = field(default_factory=list)
-    x_M: list[float] = field(default_factory=list)
-    M: list[float] = field(default_factory=list)
-    x_v: list[float] = field(default_factory=list)
-    v: list[float] = field(default_factory=list)
+_Candidates = list[tuple[float, float]]  # place, m, and value
 
 
-def _collect(piece: Piece, end: State, L: float, found: _Extremes) -> None:
-    """Take V and M at both ends, v at the start, and each where its derivative changes sign inside.
+def _candidates(pieces: tuple[Piece, ...], ends: list[State], L: float) -> tuple[list[float], _Candidates, _Candidates]:
+    """Give V, M and v, the last two with their places, wherever they may be extreme, by rising place.
 
-    V is monotone between the sign changes of w, M between those of V, theta between those of M; so without an inner
-    one of these the signs at the two ends tell whether there is a crossing to look for.
+    That is at the ends of the pieces, and where a derivative changes its sign inside one. V is monotone between the
+    sign changes of w, M between those of V, theta between those of M; so without an inner one of these the signs at
+    the two ends tell whether there is a crossing to look for.
     """
-    x1, x2, V, M, theta, v, w, k, EI = piece
-    _, end_theta, end_M, end_V = end
-    h = x2 - x1
-    peaks = crossings((w, k, 0.0, 0.0, 0.0), h) if k else ()
-    zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if peaks or (V < 0) != (end_V < 0) else ()
-    inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros) if zeros or (M < 0) != (end_M < 0) else ()
-    found.V += (V, end_V)
-    found.x_M += (x1, x2)
-    found.M += (M, end_M * L)
-    found.x_v.append(x1)
-    found.v.append(v)
-    if peaks:
-        found.V += [piece.shear(t) for t in peaks]
-    if zeros:
-        found.x_M[-1:-1] = [x1 + t for t in zeros]
-        found.M[-1:-1] = [piece.moment(t) for t in zeros]
-    if inflections or (theta < 0) != (end_theta < 0):
-        turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
-        found.x_v += [x1 + t for t in turns]
-        found.v += [piece.deflection(t) for t in turns]
+    shears: list[float] = []
+    moments: _Candidates = []
+    sags: _Candidates = []
+    for piece, (_, end_theta, end_M, end_V) in zip(pieces, ends, strict=True):
+        x1, x2, V, M, theta, v, w, k, EI = piece
+        h = x2 - x1
+        peaks = crossings((w, k, 0.0, 0.0, 0.0), h) if k else ()
+        zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if peaks or (V < 0) != (end_V < 0) else ()
+        inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros) if zeros or (M < 0) != (end_M < 0) else ()
+        shears += (V, end_V)
+        moments.append((x1, M))
+        sags.append((x1, v))
+        if peaks:
+            shears += [piece.shear(t) for t in peaks]
+        if zeros:
+            moments += [(x1 + t, piece.moment(t)) for t in zeros]
+        if inflections or (theta < 0) != (end_theta < 0):
+            turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
+            sags += [(x1 + t, piece.deflection(t)) for t in turns]
+        moments.append((x2, end_M * L))
+    sags.append((x2, piece.deflection(h)))
+    return shears, moments, sags
 
 
-def _farthest(places: Sequence[float], values: Sequence[float]) -> tuple[float, float]:
+def _farthest(candidates: _Candidates) -> tuple[float, float]:
     """The place of the largest magnitude and the signed value there; the leftmost on a tie."""
-    bar = max(max(values), -min(values)) * (1 - _TIE)
-    for x, value in zip(places, values, strict=True):
+    bar = max([abs(value) for _, value in candidates]) * (1 - _TIE)
+    for x, value in candidates:
         if value >= bar or value <= -bar:
             return x, value
-    return places[0], values[0]
+    return candidates[0]
