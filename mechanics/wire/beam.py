@@ -12,6 +12,8 @@ from mechanics.wire.fields import Choice, ListOf, Number, Record, Tagged
 from mechanics.wire.refusal import Refusal
 from mechanics.wire.section import SECTION, section
 
+ROUNDING = 1e-12  # of the length
+
 REQUEST = Record(
     "Axis x from the left end, y and v positive up. V is the sum of the upward forces left of x, M > 0 sags, "
     "EI v'' = M. Loads add up; at a load's own x the value is the one to its left.",
@@ -91,8 +93,8 @@ EXAMPLE = {
 
 def solve(request: Mapping[str, Any]) -> dict[str, Any]:
     """Solve the beam; raises ValueError."""
-    found = solve_beam(_beam(request))
-    samples = [found.at(x) for x in request["sample_x"]]
+    found, L = solve_beam(_beam(request)), request["L"]
+    samples = [found.at(_place(x, L)) for x in request["sample_x"]]
     return {
         "reactions": [{"x": one.x, "Fy": one.Fy, "M": one.M} for one in found.reactions],
         "samples": [{"x": one.x, "V": one.V, "M": one.M, "v": one.v, "theta": one.theta} for one in samples],
@@ -105,23 +107,29 @@ def _beam(request: Mapping[str, Any]) -> Beam:
     if (request["section"] is None) == (request["I"] is None):
         code = "missing_field" if request["I"] is None else "contradictory"
         raise Refusal(code, "give either section or I, one of the two", "I")
+    L = request["L"]
     return Beam(
-        L=request["L"],
+        L=L,
         E=request["E"],
-        supports=tuple(Support(**support) for support in request["supports"]),
-        loads=tuple(_load(load) for load in request["loads"]),
+        supports=tuple(Support(_place(one["x"], L), one["type"], one["settlement"]) for one in request["supports"]),
+        loads=tuple(_load(load, L) for load in request["loads"]),
         hinges=request["hinges"],
         section=section(request["section"]) if request["section"] else None,
         I=request["I"],
     )
 
 
-def _load(load: Mapping[str, Any]) -> Load:
+def _load(load: Mapping[str, Any], L: float) -> Load:
     if load["type"] == "force":
-        return Force(load["x"], load["F"])
+        return Force(_place(load["x"], L), load["F"])
     if load["type"] == "moment":
-        return Moment(load["x"], load["M"])
-    return Distributed(load["x1"], load["x2"], load["w1"], load["w2"])
+        return Moment(_place(load["x"], L), load["M"])
+    return Distributed(load["x1"], _place(load["x2"], L), load["w1"], load["w2"])
+
+
+def _place(x: float, L: float) -> float:
+    """A place that misses the right end by a rounding is there: three times 0.1 is more than 0.3."""
+    return L if L < x <= L * (1 + ROUNDING) else x
 
 
 def _extremes(found: BeamResult) -> dict[str, Any]:

@@ -179,3 +179,15 @@ def test_the_contract_s_beam_is_in_equilibrium() -> None:
     assert left["Fy"] + right["Fy"] == pytest.approx(5000 + 6000)
     # The trapezium of 2 and 4 kN/m over 1 .. 3 m: its resultant 6 kN stands at 1 + 2 (2 + 2*4)/(3 (2 + 4)) m.
     assert 4 * right["Fy"] == pytest.approx(5000 * 1.5 - 1200 + 6000 * (1 + 10 / 9))
+
+
+def test_a_place_that_misses_the_end_by_a_rounding_is_the_end() -> None:
+    third = 3 * 0.1
+    request = {
+        "L": 0.3, "E": 2e11, "I": 1e-8, "sample_x": [third],
+        "supports": [{"x": 0, "type": "pin"}, {"x": third, "type": "roller"}],
+        "loads": [{"type": "force", "x": third, "F": -7}, {"type": "dist", "x1": 0, "x2": third, "w1": -9, "w2": -9}],
+    }  # fmt: skip
+    found = answered("beam", request)
+    assert found["reactions"][1] == {"x": 0.3, "Fy": pytest.approx(7 + 9 * 0.15), "M": 0.0}
+    assert found["samples"][0]["x"] == 0.3 and found["samples"][0]["v"] == pytest.approx(0, abs=1e-18)
