@@ -138,6 +138,30 @@ def test_a_point_of_the_rrr_arm_is_refused_exactly_when_it_is_out_of_reach(M: Ve
             rod_groups.inverse("RRR", lengths, M)
 
 
+near_zero = st.one_of(st.just(0.0), st.floats(-17, -1).map(lambda power: 10**power))
+near_singular = st.tuples(st.sampled_from([0.0, pi / 2, -pi / 2, pi]), near_zero).map(sum)
+
+
+@settings(max_examples=200, deadline=None)
+@given(groups, st.tuples(*[st.one_of(near_singular, st.floats(-3, 3))] * 3), st.floats(-4, 4), near_zero)
+def test_near_a_singular_position_a_branch_is_right_or_the_task_is_refused_by_name(
+    group: str, q: Vector, power: float, out: float
+) -> None:
+    scale = 10**power
+    lengths = {name: scale * length for name, length in LENGTHS[group].items()}
+    at = tuple(x if kind == "R" else scale * x for kind, x in zip(group, q, strict=True))
+    x, y, z = rod_groups.direct(group, lengths, at)
+    M = (x * (1 + out), y, z)
+    try:
+        found = rod_groups.inverse(group, lengths, M)
+    except (AssemblyError, SingularError) as refusal:
+        assert "missing" in str(refusal) or "arbitrary" in str(refusal)
+        return
+    size = max(scale, *map(abs, M))
+    for solution in found:
+        assert rod_groups.direct(group, lengths, solution) == pytest.approx(M, abs=1e-11 * size)
+
+
 def test_branches_that_coincide_are_given_once() -> None:
     for elbow in (0.0, pi):
         M = rod_groups.direct("PRR", LENGTHS["PRR"], (0.3, 0.9, elbow))
