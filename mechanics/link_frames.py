@@ -134,7 +134,7 @@ def _actions(
         N = add(N, add(cross(pair.shift, F), cross(add(pair.shift, link.centre), Q)))
         N = add(N, add(times(link.inertia, motion.epsilon), cross(omega, times(link.inertia, omega))))
         F = add(F, Q)
-        forces.insert(0, F)
-        moments.insert(0, N)
+        forces.append(F)
+        moments.append(N)
         F, N = times(pair.A, F), times(pair.A, N)
-    return forces, moments
+    return forces[::-1], moments[::-1]

@@ -66,7 +66,7 @@ class LinkMotion:
 
     def point(self, arm: Vector) -> tuple[Vector, Vector]:
         """Velocity and acceleration of the point of the link at an arm (m) from the origin."""
-        return add(self.v, cross(self.omega, arm)), add(self.a, _carried(self, arm))
+        return add(self.v, cross(self.omega, arm)), add(self.a, _carried(self.omega, self.epsilon, arm))
 
 
 REST = LinkMotion(ZERO, ZERO, ZERO, ZERO)
@@ -94,12 +94,12 @@ def next_motion(
     v, a = before.v, before.a
     if joint == "P":
         v, a = add(v, rate), add(a, add(acceleration, scaled(2, cross(omega, rate))))
-    holder = LinkMotion(omega, epsilon, v, a) if convention == "standard" else before
-    return LinkMotion(omega, epsilon, add(v, cross(holder.omega, shift)), add(a, _carried(holder, shift)))
+    held = (omega, epsilon) if convention == "standard" else (before.omega, before.epsilon)
+    return LinkMotion(omega, epsilon, add(v, cross(held[0], shift)), add(a, _carried(*held, shift)))
 
 
-def _carried(motion: LinkMotion, arm: Vector) -> Vector:
-    return add(cross(motion.epsilon, arm), cross(motion.omega, cross(motion.omega, arm)))
+def _carried(omega: Vector, epsilon: Vector, arm: Vector) -> Vector:
+    return add(cross(epsilon, arm), cross(omega, cross(omega, arm)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from mechanics import inertia_force
 from mechanics.chain import Chain, Frame, frames, joint_axes, link_motions, turned
-from mechanics.dh import Matrix, Vector, check_variables
+from mechanics.dh import JointType, Matrix, Vector, check_variables
 from mechanics.links import FREE, Drives, LinkMass, LinkMotion, ToolLoad
 from mechanics.vectors import ZERO, add, check_vector, cross, dot, scaled, subtract
 
@@ -19,13 +19,17 @@ EARTH: Vector = (0.0, 0.0, -9.81)  # g when z points up, m/s^2
 
 
 @dataclass(frozen=True, slots=True)
-class _Body:
-    """A link as the recursion meets it, in base axes."""
+class _Link:
+    """A link and the joint before it, in base axes."""
 
+    joint: JointType
+    axis: Vector  # along which the joint's variable grows
+    pivot: Vector  # a point of that axis, m
+    origin: Vector  # of the frame, m
     mass: float
+    arm: Vector  # from the origin to the centre of mass, m
     centre: Vector  # m
-    arm: Vector  # from the origin of its frame to the centre, m
-    inertia: Matrix
+    inertia: Matrix  # about the centre, kg m^2
 
 
 def solve(
@@ -61,49 +65,44 @@ def solve(
     """
     damping = tuple(friction) if friction is not None else (0.0,) * len(chain.rows)
     check_variables(chain.rows, chain.convention, friction=damping)
-    bodies = _bodies(chain, masses, q)
     check_vector("gravity", gravity, "m/s^2")
-    forces, moments = _actions(chain, bodies, q, link_motions(chain, q, qd, qdd), gravity, tool)
-    actions = [N if row.type == "R" else F for row, F, N in zip(chain.rows, forces, moments, strict=True)]
-    axes = [axis for axis, _ in joint_axes(chain, q)]
-    tau = (dot(action, axis) + b * w for action, axis, b, w in zip(actions, axes, damping, qd, strict=True))
+    links = _links(chain, masses, q)
+    forces, moments = _actions(links, link_motions(chain, q, qd, qdd), gravity, tool)
+    tau = (
+        dot(N if link.joint == "R" else F, link.axis) + b * w
+        for link, F, N, b, w in zip(links, forces, moments, damping, qd, strict=True)
+    )
     return Drives(tuple(tau), tuple(forces), tuple(moments))
 
 
 def _actions(
-    chain: Chain,
-    bodies: Sequence[_Body],
-    q: Sequence[float],
-    motions: Sequence[LinkMotion],
-    gravity: Vector,
-    tool: ToolLoad,
+    links: Sequence[_Link], motions: Sequence[LinkMotion], gravity: Vector, tool: ToolLoad
 ) -> tuple[list[Vector], list[Vector]]:
     """F_i and N_i from the last link to the first."""
-    force, moment = tool.force, tool.moment
-    behind = frames(chain, q)[-1][9:]
+    force, moment, behind = tool.force, tool.moment, links[-1].origin
     forces: list[Vector] = []
     moments: list[Vector] = []
-    for (_, pivot), body, motion in reversed(list(zip(joint_axes(chain, q), bodies, motions, strict=True))):
-        load = scaled(body.mass, subtract(motion.point(body.arm)[1], gravity))
-        spin = inertia_force.moment(body.inertia, motion.omega, motion.epsilon)
-        moment = add(moment, cross(subtract(behind, pivot), force))
-        moment = subtract(add(moment, cross(subtract(body.centre, pivot), load)), spin)
-        force = add(force, load)
-        forces.insert(0, force)
-        moments.insert(0, moment)
-        behind = pivot
-    return forces, moments
+    for link, motion in reversed(list(zip(links, motions, strict=True))):
+        load = scaled(link.mass, subtract(motion.point(link.arm)[1], gravity))
+        spin = inertia_force.moment(link.inertia, motion.omega, motion.epsilon)
+        moment = add(moment, cross(subtract(behind, link.pivot), force))
+        moment = subtract(add(moment, cross(subtract(link.centre, link.pivot), load)), spin)
+        force, behind = add(force, load), link.pivot
+        forces.append(force)
+        moments.append(moment)
+    return forces[::-1], moments[::-1]
 
 
-def _bodies(chain: Chain, masses: Sequence[LinkMass], q: Sequence[float]) -> list[_Body]:
+def _links(chain: Chain, masses: Sequence[LinkMass], q: Sequence[float]) -> list[_Link]:
     check_variables(chain.rows, chain.convention, q=q)
     if len(masses) != len(chain.rows):
         raise ValueError(f"{len(masses)} masses for {len(chain.rows)} links")
-    bodies = []
-    for at, link in zip(frames(chain, q), masses, strict=True):
-        arm = turned(at, link.centre)
-        bodies.append(_Body(link.mass, add(at[9:], arm), arm, _in_base(at, link.inertia)))
-    return bodies
+    links = []
+    for row, link, at, (axis, pivot) in zip(chain.rows, masses, frames(chain, q), joint_axes(chain, q), strict=True):
+        arm, origin = turned(at, link.centre), at[9:]
+        inertia = _in_base(at, link.inertia)
+        links.append(_Link(row.type, axis, pivot, origin, link.mass, arm, add(origin, arm), inertia))
+    return links
 
 
 def _in_base(at: Frame, tensor: Matrix) -> Matrix:
@@ -120,13 +119,12 @@ def gravity_torques(
 
     Arguments and errors as for `solve`.
     """
-    bodies = _bodies(chain, masses, q)
     check_vector("gravity", gravity, "m/s^2")
-    held = [0.0] * len(chain.rows)
-    axes = joint_axes(chain, q)
-    for i, body in enumerate(bodies):
-        for j, (slope, _) in enumerate(_slopes(chain, axes[: i + 1], body)):
-            held[j] -= body.mass * dot(gravity, slope)
+    links = _links(chain, masses, q)
+    held = [0.0] * len(links)
+    for i, link in enumerate(links):
+        for j, (slope, _) in enumerate(_slopes(links[: i + 1])):
+            held[j] -= link.mass * dot(gravity, slope)
     return held
 
 
@@ -147,12 +145,11 @@ def mass_matrix(chain: Chain, masses: Sequence[LinkMass], q: Sequence[float]) ->
     Source:
         Koenig: the sum over the links of m v_S . v_S + omega . J omega, with unit rates of the joints.
     """
-    n = len(chain.rows)
-    found = [[0.0] * n for _ in range(n)]
-    axes = joint_axes(chain, q)
-    for i, body in enumerate(_bodies(chain, masses, q)):
-        slopes = _slopes(chain, axes[: i + 1], body)
-        momenta = [(scaled(body.mass, v), inertia_force.momentum(body.inertia, w)) for v, w in slopes]
+    links = _links(chain, masses, q)
+    found = [[0.0] * len(links) for _ in links]
+    for i, link in enumerate(links):
+        slopes = _slopes(links[: i + 1])
+        momenta = [(scaled(link.mass, v), inertia_force.momentum(link.inertia, w)) for v, w in slopes]
         for j in range(i + 1):
             for k in range(j + 1):
                 found[j][k] += dot(slopes[j][0], momenta[k][0]) + dot(slopes[j][1], momenta[k][1])
@@ -160,9 +157,10 @@ def mass_matrix(chain: Chain, masses: Sequence[LinkMass], q: Sequence[float]) ->
     return tuple(tuple(row) for row in found)
 
 
-def _slopes(chain: Chain, axes: Sequence[tuple[Vector, Vector]], body: _Body) -> list[tuple[Vector, Vector]]:
-    """d r_S/d q_j and d phi/d q_j of a link for the joints that move it."""
+def _slopes(links: Sequence[_Link]) -> list[tuple[Vector, Vector]]:
+    """d r_S/d q_j and d phi/d q_j of the last of the links, for each joint before it."""
+    centre = links[-1].centre
     return [
-        (cross(axis, subtract(body.centre, pivot)), axis) if row.type == "R" else (axis, ZERO)
-        for row, (axis, pivot) in zip(chain.rows, axes, strict=False)
+        (cross(link.axis, subtract(centre, link.pivot)), link.axis) if link.joint == "R" else (link.axis, ZERO)
+        for link in links
     ]

@@ -43,13 +43,13 @@ def test_pose_is_the_product_of_elementary_matrices(
 
 
 @quick
-@given(moving_chains(most=5))
+@given(moving_chains(most=5), conventions)
 def test_recursion_agrees_with_the_matrices_u_and_v(
-    drawn: tuple[tuple[Row, ...], list[list[float]], Vector],
+    drawn: tuple[tuple[Row, ...], list[list[float]], Vector], convention: Convention
 ) -> None:
     table, (q, qd, qdd), point = drawn
-    found = chain.solve(Chain(table), q, qd, qdd, point)
-    p, v, a = transform.point_motion(table, q, qd, qdd, point)
+    found = chain.solve(Chain(table, convention), q, qd, qdd, point)
+    p, v, a = transform.point_motion(table, q, qd, qdd, point, convention)
     assert found.p == pytest.approx(p, abs=1e-10)
     assert found.v == pytest.approx(v, rel=1e-9, abs=1e-9)
     assert found.a == pytest.approx(a, rel=1e-9, abs=1e-8)
@@ -91,6 +91,7 @@ def test_jacobian_times_joint_rates_is_the_motion_of_the_last_origin(
     found = chain.solve(Chain(table, convention), q, qd)
     product = [sum(entry * rate for entry, rate in zip(row, qd, strict=True)) for row in found.J]
     assert [*found.v, *found.omega] == pytest.approx(product, abs=1e-9)
+    assert chain.jacobian(Chain(table, convention), q) == found.J
 
 
 def test_published_pair_matrix_holds() -> None:

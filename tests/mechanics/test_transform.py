@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.dh import Matrix, Row
+from mechanics.dh import Convention, Matrix, Row
 from mechanics.transform import (
     IDENTITY,
     acceleration_matrix,
@@ -30,6 +30,7 @@ quick = settings(max_examples=40, deadline=None)
 
 numbers = st.floats(-4, 4)
 rows = st.builds(Row, st.sampled_from(["R", "P"]), numbers, numbers, numbers, numbers, st.sampled_from([1, -1]))
+conventions: st.SearchStrategy[Convention] = st.sampled_from(["standard", "modified"])
 tables = st.lists(rows, min_size=1, max_size=4)
 
 
@@ -142,24 +143,26 @@ def test_a_later_joint_does_not_move_an_earlier_link() -> None:
 
 
 @quick
-@given(tables, st.data())
-def test_derivative_matrices_are_the_slopes_of_the_pose(table: list[Row], data: st.DataObject) -> None:
+@given(tables, st.data(), conventions)
+def test_derivative_matrices_are_the_slopes_of_the_pose(
+    table: list[Row], data: st.DataObject, convention: Convention
+) -> None:
     q = data.draw(st.lists(numbers, min_size=len(table), max_size=len(table)))
     n, j = len(table), data.draw(st.integers(1, len(table)))
     h = 1e-5
     ahead, behind = ([x + s * h * (i == j - 1) for i, x in enumerate(q)] for s in (1, -1))
-    slope = total([chain_pose(table, ahead), chain_pose(table, behind)], [1 / (2 * h), -1 / (2 * h)])
-    assert flat(velocity_matrix(table, q, n, j)) == pytest.approx(flat(slope), abs=1e-7)
+    slope = total([chain_pose(table, x, convention) for x in (ahead, behind)], [1 / (2 * h), -1 / (2 * h)])
+    assert flat(velocity_matrix(table, q, n, j, convention)) == pytest.approx(flat(slope), abs=1e-7)
     k = data.draw(st.integers(1, n))
-    slope = total([velocity_matrix(table, x, n, k) for x in (ahead, behind)], [1 / (2 * h), -1 / (2 * h)])
-    assert flat(acceleration_matrix(table, q, n, j, k)) == pytest.approx(flat(slope), abs=1e-7)
+    slope = total([velocity_matrix(table, x, n, k, convention) for x in (ahead, behind)], [1 / (2 * h), -1 / (2 * h)])
+    assert flat(acceleration_matrix(table, q, n, j, k, convention)) == pytest.approx(flat(slope), abs=1e-7)
 
 
 @quick
-@given(tables, st.data(), st.sampled_from(["standard", "modified"]))
-def test_pose_times_its_inverse_is_the_identity(table: list[Row], data: st.DataObject, convention: str) -> None:
+@given(tables, st.data(), conventions)
+def test_pose_times_its_inverse_is_the_identity(table: list[Row], data: st.DataObject, convention: Convention) -> None:
     q = data.draw(st.lists(numbers, min_size=len(table), max_size=len(table)))
-    T = chain_pose(table, q, convention)  # type: ignore[arg-type]
+    T = chain_pose(table, q, convention)
     assert flat(product(rigid_inverse(T), T)) == pytest.approx(flat(IDENTITY), abs=1e-12)
 
 
