@@ -1,4 +1,4 @@
-"""A stepped bar as a chain of springs (stiffness method); the second way beside `bar`."""
+"""A stepped bar as a chain of springs (stiffness method); the second way beside `bar` (domain SM-3)."""
 
 from __future__ import annotations
 

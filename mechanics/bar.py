@@ -1,4 +1,5 @@
-"""Tension and compression of stepped bars: axial forces, stresses, displacements, supports, temperature, a gap.
+"""Tension and compression of stepped bars: axial forces, stresses, displacements, supports, temperature, a gap
+(domain SM-2 to SM-4).
 
 Axis x from the left end. Forces and displacements positive along +x; N and sigma positive in tension; the axial force
 N(x) is the sum of the external forces to the right of the section, the reaction included.

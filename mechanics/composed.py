@@ -1,4 +1,5 @@
-"""Sections put together from rectangles and discs, solid or cut out: I, T, box and any other that a plumb line halves.
+"""Sections put together from rectangles and discs, solid or cut out: I, T, box and any other that a plumb line halves
+(domain SM-12).
 
 Heights y are counted up from a level of one's own choice. Parts at the same height stand side by side, so that their
 widths add up; a hole takes its width away. Bending is about the horizontal axis through the centroid.

@@ -1,4 +1,6 @@
-"""Denavit-Hartenberg tables as they are given. They hold no formula: both ways of solving a chain read these.
+"""Denavit-Hartenberg tables as they are given (domain DH-2).
+
+They hold no formula: both ways of solving a chain read these.
 
 standard (distal): A_i = Rot(z, theta) Trans(z, d) Trans(x, a) Rot(x, alpha); joint i turns or slides along z of frame
 i - 1. modified (proximal, Craig): A_i = Rot(x, alpha) Trans(x, a) Rot(z, theta) Trans(z, d); along z of frame i.

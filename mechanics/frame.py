@@ -1,4 +1,5 @@
-"""The stiffness method for beams and shafts: the independent second way beside `beam` and `shaft`.
+"""The stiffness method for beams and shafts: the independent second way beside `beam` and `shaft`
+(domain SM-7, SM-11).
 
 Displacements of nodes are the unknowns, K u = f, and element forces follow from them. Nothing of the formulas of
 `beam`, `shaft` or the section moduli is used: sections enter by integrals over the fibres. Signs as there: x from the

@@ -14,7 +14,7 @@ Closure: TypeAlias = Callable[[Vector], tuple[Vector, Any]]  # coordinates -> ga
 
 RANK = 1e-6  # of the largest singular value
 STEPS = 8  # along a free direction
-STEP = 0.06  # of the size of the mechanism
+PACES = (0.06, 0.006)  # length of a step over the size of the mechanism; the short one where the long one fails
 CLOSED = 1e-11
 ROUNDS = 60
 MIXES = 3
@@ -42,12 +42,14 @@ def freedom(closure: Closure, coordinates: int) -> Freedom:
     _, slopes = closure(np.zeros(coordinates))
     free = free_directions(slopes, coordinates)
     rank = coordinates - free.shape[0]
-    if not free.shape[0]:
-        return Freedom(0, 0, rank)
-    reached = [
-        found for direction in _directions(free) if (found := _walk(closure, direction, coordinates)) is not None
-    ]
-    return Freedom(free.shape[0], min(reached, default=0), rank)
+    if rank == slopes.shape[0] or not free.shape[0]:  # independent constraints: every free direction is a motion
+        return Freedom(free.shape[0], free.shape[0], rank)
+    for step in PACES:
+        walks = (_walk(closure, direction, coordinates, step) for direction in _directions(free))
+        reached = [found for found in walks if found is not None]
+        if reached:
+            return Freedom(free.shape[0], min(reached), rank)
+    return Freedom(free.shape[0], 0, rank)
 
 
 def _directions(free: Any) -> list[Vector]:
@@ -71,14 +73,14 @@ def free_directions(slopes: Any, coordinates: int) -> Any:
     return rows[rank:]
 
 
-def _walk(closure: Closure, direction: Vector, coordinates: int) -> int | None:
+def _walk(closure: Closure, direction: Vector, coordinates: int, step: float) -> int | None:
     """Walk along a free direction; the freedoms at the place reached, or None if the first step springs back."""
     import numpy as np
 
     at, ahead = np.zeros(coordinates), direction
     for _ in range(STEPS):
-        there = _closed(closure, at + STEP * ahead)
-        if there is None or np.linalg.norm(there - at) < SHARE * STEP or (there - at) @ ahead < SHARE * STEP:
+        there = _closed(closure, at + step * ahead)
+        if there is None or np.linalg.norm(there - at) < SHARE * step or (there - at) @ ahead < SHARE * step:
             break
         ahead = (there - at) / np.linalg.norm(there - at)
         at = there

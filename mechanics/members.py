@@ -1,4 +1,6 @@
-"""Beams and shafts as they are given: geometry, supports, loads (SI). They hold no solution and no formula of one.
+"""Beams and shafts as they are given: geometry, supports, loads (SI; domain SM-7, SM-11).
+
+They hold no solution and no formula of one.
 
 Axis x from the left end, y and v positive up. Forces positive up, moments positive counter-clockwise, torques positive
 about +x. Both `beam` and `shaft` and their independent oracle `frame` read these.

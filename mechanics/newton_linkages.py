@@ -1,4 +1,5 @@
-"""Named linkages as bodies, joints and a driver for Newton's method: the independent way to check closed forms."""
+"""Named linkages as bodies, joints and a driver for Newton's method: the independent way to check closed forms
+(domain VP-1)."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 """Any planar mechanism: bodies, revolute and prismatic joints, drivers; Newton for the position, linear equations
-for velocities and accelerations. No closed form is used: this is the independent way to check them.
+for velocities and accelerations. No closed form is used: this is the independent way to check them (domain VP-1).
 
 Body 0 is the frame. Every other body i has the pose (x, y, phi): metres, radians counter-clockwise from +X. A joint
 connects two markers, each a point and a direction fixed to its body.

@@ -1,4 +1,4 @@
-"""Cross-sections in bending and torsion: areas, moments, moduli (SI).
+"""Cross-sections in bending and torsion: areas, moments, moduli (SI; domain SM-7, SM-12).
 
 Bending is about the horizontal axis through the centroid, which is the neutral axis; it halves the sections of this
 module, those of `composed` it does not. The torsion constant stands where it is exact: for round sections it is the

@@ -1,4 +1,4 @@
-"""Torsion of stepped round shafts: torques, stresses, twists, sizes.
+"""Torsion of stepped round shafts: torques, stresses, twists, sizes (domain SM-7 to SM-10).
 
 Axis x from the left end. External torques positive about +x; the torque T in a section is the sum of the external
 torques to its right, the reaction included; twist phi positive about +x, d(phi)/dx = T/(G J_p).

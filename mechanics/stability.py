@@ -1,4 +1,4 @@
-"""Whether the supports of a beam hold it, decided from places alone, before any equation is solved."""
+"""Whether the supports of a beam hold it, decided from places alone, before any equation is solved (domain SM-11)."""
 
 from __future__ import annotations
 

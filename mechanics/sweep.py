@@ -1,4 +1,5 @@
-"""Initial parameters carried along a beam: the state on the left of each stretch from the conditions on the whole.
+"""Initial parameters carried along a beam: the state on the left of each stretch from the conditions on the whole
+(domain SM-11).
 
 The state (v EI/L^3, theta EI/L^2, M/L, V) is in newtons and lengths are in parts of L. On the way it is
 base + p1 c1 + p2 c2 with two unknown parameters: the left end leaves v and theta free, every later condition settles

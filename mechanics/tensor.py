@@ -1,4 +1,4 @@
-"""Symmetric tensors of stress and strain: components on x, y, z, principal values and directions."""
+"""Symmetric tensors of stress and strain: components on x, y, z, principal values and directions (domain SM-15)."""
 
 from __future__ import annotations
 

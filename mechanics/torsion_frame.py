@@ -1,4 +1,4 @@
-"""A stepped shaft as a chain of torsion elements (stiffness method); the second way beside `shaft`.
+"""A stepped shaft as a chain of torsion elements (stiffness method); the second way beside `shaft` (domain SM-7).
 
 Torques and rotations about +x; T = sum of the external torques right of the section = G J_p d(phi)/dx.
 """

@@ -1,4 +1,4 @@
-"""Worm and wheel: axes that cross, so the ratio has no sign (domain, head of the transmissions chapter)."""
+"""Worm and wheel: axes that cross, so the ratio has no sign (domain TR-3)."""
 
 from __future__ import annotations
 

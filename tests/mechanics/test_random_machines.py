@@ -1,0 +1,16 @@
+"""Any train or structure is solved, and then obeys what it was made of, or is refused by name."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from tests.mechanics import judged_machines
+
+
+@pytest.mark.parametrize("judge", [judged_machines.train, judged_machines.structure])
+def test_random_machines_are_solved_or_refused_by_name(judge: judged_machines.Judge) -> None:
+    chance = Random(7)
+    outcomes = {judge(chance) for _ in range(40)}
+    assert "solved" in outcomes
