@@ -9,7 +9,7 @@ import pytest
 
 from cli.reading import LARGEST, LONGEST
 from graders import Outcome
-from tests.docs import api_reference, command_reference, language_reference, solver_reference
+from tests.docs import api_reference, command_reference, language_reference, mechanics_reference, solver_reference
 
 DOCS = api_reference.ROOT / "docs"
 
@@ -20,9 +20,10 @@ DOCS = api_reference.ROOT / "docs"
         (api_reference.PAGE, api_reference.page),
         (command_reference.PAGE, command_reference.page),
         (language_reference.PAGE, language_reference.page),
+        (mechanics_reference.PAGE, mechanics_reference.page),
         (solver_reference.PAGE, solver_reference.page),
     ],
-    ids=["api", "commands", "language", "solvers"],
+    ids=["api", "commands", "language", "mechanics", "solvers"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
@@ -32,3 +33,33 @@ def test_the_page_on_files_names_the_limits_and_the_outcomes() -> None:
     page = (DOCS / "reference" / "files.md").read_text("utf-8")
     assert f"{LARGEST:,} bytes" in page and f"{LONGEST:,} characters" in page
     assert all(f"`{outcome.value}`" in page for outcome in Outcome)
+
+
+def test_each_public_function_of_the_mechanics_room_says_what_it_does() -> None:
+    page = mechanics_reference.PAGE.read_text("utf-8")
+    for module in mechanics_reference.modules():
+        assert module.__doc__, module.__name__
+        for function in mechanics_reference.functions(module):
+            assert function.__doc__ and f"| `{function.__name__}` |" in page, function.__qualname__
+
+
+@pytest.mark.parametrize(
+    ("words", "module"),
+    [
+        ("deflection beam", "beam"),
+        ("ratio planetary", "willis"),
+        ("counterweight four-bar", "balancing"),
+        ("jacobian", "chain"),
+        ("passive constraints", "mobility"),
+        ("geneva", "geneva"),
+        ("assur", "assur"),
+        ("base excitation", "vibration"),
+        ("torsion shaft", "shaft"),
+    ],
+)
+def test_a_reader_finds_a_solver_by_what_it_is_for(words: str, module: str) -> None:
+    """Searching for the thing leads to a line of the first table or of the module's own section."""
+    page = mechanics_reference.PAGE.read_text("utf-8").lower()
+    section = page.partition(f"\n### {module}\n")[2].partition("\n### ")[0]
+    rows = [line for line in page.splitlines() if f"(#{module})" in line] + section.splitlines()
+    assert any(all(word in line for word in words.split()) for line in rows)
