@@ -18,8 +18,7 @@ MAX_EXPONENT = 999  # of a power of ten in a literal
 SAME = {
     "·": "*", "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "∗": "*", "−": "-", "–": "-", "—": "-", "‐": "-",
     "‑": "-", "÷": "/", "∕": "/", "⁄": "/", ":": "/", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">=", "’": "'", "′": "'",
-    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "~": "=", "∼": "=", "⟨": "<",
-    "⟩": ">",
+    "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "⟨": "<", "⟩": ">",
 }  # fmt: skip
 SPACES = " \t\r\n\u00a0\u2009\u202f\u2002\u2003\u2007"
 POWER_OF_TEN = str.maketrans("еЕ", "eE")  # the Cyrillic letter in 1,2е4
@@ -79,7 +78,7 @@ def _tokens(text: str) -> list[Token]:
 
 def _plain(text: str) -> str:
     """Map each character to one character of the language, so that places stay as typed."""
-    if text.isascii() and text.isprintable() and ":" not in text and "~" not in text:
+    if text.isascii() and text.isprintable() and ":" not in text:
         return text
     mapped = [_mapped(char) for char in text]
     if "" in mapped:
