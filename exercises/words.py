@@ -15,7 +15,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from graders.language.symbols import GREEK
+from graders.language.commands import LETTERS
 from graders.units import read_unit
 from graders.words import decimal
 
@@ -24,6 +24,20 @@ NARROW = "\u202f"  # narrow no-break space between a number and its unit
 PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
 MATHS = re.compile(r"\$([^$]*)\$")
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
+ACCENT = re.compile(r"\\(d?dot)\{([^{}]*)\}")
+DOTS = {"dot": "\u0307", "ddot": "\u0308"}
+SCRIPT = re.compile(r"([_^])\{([^{}]*)\}")
+UPRIGHT = re.compile(r"\\(?:mathrm|text|operatorname)\{([^{}]*)\}")
+FRACTION = re.compile(r"\\[dt]?frac\{([^{}]*)\}\{([^{}]*)\}")
+FUNCTIONS = ("sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "exp", "ln", "min", "max")
+BESIDE = re.compile(rf"\b({'|'.join(FUNCTIONS)}) \(")
+SPOKEN = {
+    **LETTERS,
+    **{name: f" {name} " for name in FUNCTIONS},
+    "cdot": "·", "times": "×", "pm": "±", "mp": "∓", "le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "circ": "°",
+    "to": "→", "infty": "∞", "sqrt": "√", "langle": "⟨", "rangle": "⟩", "ldots": "…", "dots": "…", "prime": "′",
+    "left": "", "right": "", "quad": " ", "qquad": " ", ",": " ", ";": " ", " ": " ", "!": "", "%": "%",
+}  # fmt: skip
 PRINTED: dict[str, str | dict[str, str]] = {
     "1": "",
     "deg": "°",
@@ -154,13 +168,14 @@ def plain(text: str) -> str:
 
 
 def _spoken(latex: str) -> str:
-    letters = {name: letter for letter, name in reversed(GREEK.items())}
-    named: dict[str, str] = {"cdot": "·", "le": "≤", "ge": "≥", "circ": "°", "to": "→", ",": " ", "quad": " "}
+    bare = SCRIPT.sub(r"\1\2", ACCENT.sub(lambda found: found[2] + DOTS[found[1]], latex))
+    bare = FRACTION.sub(lambda found: f"{_grouped(found[1])}/{_grouped(found[2])}", UPRIGHT.sub(r"\1", bare))
+    text = COMMAND.sub(lambda found: SPOKEN.get(found[1], f" {found[1]} "), bare)
+    return BESIDE.sub(r"\1(", " ".join(re.sub(r"[{}]|_|\^(?=°)", "", text).split()))
 
-    def command(found: re.Match[str]) -> str:
-        return letters.get(found[1]) or named.get(found[1], "")
 
-    return re.sub(r"[{}]|_", "", COMMAND.sub(command, latex)).strip()
+def _grouped(latex: str) -> str:
+    return f"({latex})" if re.search(r"\w *[-+]", latex) else latex
 
 
 def indexed(section: Mapping[str, str], name: str) -> str:

@@ -18,7 +18,7 @@ from exercises.givens import domains, dump, each, numbers, option, restore, word
 from exercises.grading import UnknownAnswer, failed, grade
 from exercises.solving import solve
 from exercises.verifying import agree, verify
-from exercises.words import fill, html, indexed, inline, plain, read_words
+from exercises.words import COMMAND, MATHS, SPOKEN, fill, html, indexed, inline, plain, read_words
 from graders import Code, Outcome
 from graders.language.doubles import UndefinedError
 
@@ -256,6 +256,30 @@ def test_words_become_html_and_plain_text() -> None:
     assert indexed({"T{i}": "moment $T_{i}$"}, "T2") == "moment $T_{2}$"
     with pytest.raises(KeyError):
         indexed({}, "T2")
+
+
+@pytest.mark.parametrize(
+    ("latex", "spoken"),
+    [
+        (r"$\varepsilon_1 =$ 5", "ε1 = 5"),
+        (r"$u_0 = \dfrac{\omega_1 - \omega_H}{\omega_n - \omega_H}$", "u0 = (ω1 - ωH)/(ωn - ωH)"),
+        (r"$l_1\sin\alpha_1 + l_2 \cos(\alpha_2) = 0$", "l1 sin α1 + l2 cos(α2) = 0"),
+        (r"$\pm 90^\circ$", "± 90°"),
+        (r"$\dot{\varphi}_1$", "φ\u03071"),
+        (r"$M_{\mathrm{out}}$ · $\frac{a}{2}$", "Mout · a/2"),
+        (r"$\langle x - a \rangle^1$", "⟨ x - a ⟩^1"),
+    ],
+)
+def test_plain_text_says_all_that_the_formula_says(latex: str, spoken: str) -> None:
+    assert plain(latex) == spoken
+
+
+def test_every_command_in_the_words_has_a_plain_form() -> None:
+    folder = Path(catalogue.__file__).parent
+    maths = [piece for path in folder.glob("*/*/??.toml") for piece in MATHS.findall(path.read_text("utf-8"))]
+    built = {"mathrm", "text", "operatorname", "frac", "dfrac", "tfrac", "dot", "ddot"}
+    assert len(maths) > 500
+    assert not {name for piece in maths for name in COMMAND.findall(piece)} - built - set(SPOKEN)
 
 
 def test_a_word_file_without_a_section_is_refused(tmp_path: Path) -> None:
