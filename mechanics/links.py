@@ -45,13 +45,13 @@ def check_inertia(tensor: Sequence[Sequence[float]]) -> None:
     for row in tensor:
         for value in row:
             finite("inertia", value, "kg m^2")
-    size = max(abs(value) for row in tensor for value in row)
-    if any(abs(tensor[i][j] - tensor[j][i]) > ROUNDING * size for i, j in ((0, 1), (0, 2), (1, 2))):
+    size = max(abs(value) for row in tensor for value in row) or 1.0
+    (a, f, e), (g, b, d), (h, i, c) = ([value / size for value in row] for row in tensor)
+    if max(abs(f - g), abs(e - h), abs(d - i)) > ROUNDING:
         raise ValueError("an inertia tensor is symmetric")
-    (a, f, e), (_, b, d), (_, _, c) = tensor
     minors = b * c - d * d, a * c - e * e, a * b - f * f
     determinant = a * minors[0] - f * (f * c - d * e) + e * (f * d - b * e)
-    if min(a, b, c) < 0 or min(minors) < -ROUNDING * size**2 or determinant < -ROUNDING * size**3:
+    if min(a, b, c) < 0 or min(*minors, determinant) < -ROUNDING:
         raise ValueError("an inertia tensor has no negative moment of inertia about any axis")
 
 

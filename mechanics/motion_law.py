@@ -102,7 +102,7 @@ def drive_law(travel: float, v_max: float, a_max: float, v_start: float = 0.0) -
     if not 0 <= v_start <= v_max:
         raise ValueError(f"v_start = {v_start} must lie in 0 .. v_max = {v_max}")
     way = abs(travel)
-    v_peak = min(v_max, sqrt(v_start**2 + 2 * a_max * way / pi))
+    v_peak = min(v_max, hypot(v_start, sqrt(2 / pi * a_max) * sqrt(way)))
     t_acc = pi * (v_peak - v_start) / (2 * a_max)
     cruise = max(0.0, way - (v_start + v_peak) * t_acc)
     return DriveLaw(travel, v_peak, a_max, v_start, t_acc, 2 * t_acc + cruise / v_peak)

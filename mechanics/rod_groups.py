@@ -161,7 +161,7 @@ def _elbow(along: float, across: float, l2: float, l3: float, sign: float) -> tu
 def _root(larger: float, smaller: float) -> float:
     """sqrt(larger^2 - smaller^2), zero where rounding alone parts them: else one branch would count as two."""
     difference = larger - smaller
-    return sqrt(difference * (larger + smaller)) if difference > ROUNDING * larger else 0.0
+    return sqrt(difference) * sqrt(larger + smaller) if difference > ROUNDING * larger else 0.0
 
 
 def _ppp_table(n: Lengths) -> tuple[tuple[Row, ...], Vector]:
