@@ -26,7 +26,7 @@ def arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Show the variant."""
-    variant = deal(known(options.exercise), _seed(options.seed))
+    variant = deal(known(options.exercise), seed_of(options.seed))
     shown = presented(variant, options.lang)
     right = reference(variant) if options.with_reference else None
     if options.json:
@@ -43,7 +43,8 @@ def known(exercise: str) -> str:
     return exercise
 
 
-def _seed(text: str) -> int:
+def seed_of(text: str) -> int:
+    """Read a seed; raises Unusable."""
     if text.isascii() and text.isdecimal() and len(text) <= len(str(MAX_SEED)) and int(text) <= MAX_SEED:
         return int(text)
     raise Unusable("seed_range", place="--seed", most=MAX_SEED)

@@ -19,6 +19,8 @@ COMMANDS = {
     "draw": "show the variant of a seed",
     "grade": "grade files of answers",
     "solve": "answer requests to a reference solver",
+    "report": "write the report of a laboratory",
+    "sheet": "print tasks for a class, with the key apart",
     "verify": "check that exercises may be published",
     "new": "start a new exercise from a template",
     "migrate": "bring the store to the tables of this version",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib import import_module
@@ -72,6 +72,12 @@ class Entry:
         drawn: Picture = import_module(f"exercises.{self.chapter}.{self.id}.figure").figure(
             givens, self.words[lang]["figure"], lang
         )
+        return drawn
+
+    def polygon(self, givens: Any, title: str, vectors: Sequence[tuple[str, str, str]]) -> Picture | None:
+        """Draw a student's vectors by the function `polygon` in the folder's `figure.py`, if there is one."""
+        module = import_module(f"exercises.{self.chapter}.{self.id}.figure")
+        drawn: Picture | None = module.polygon(givens, title, vectors) if hasattr(module, "polygon") else None
         return drawn
 
 

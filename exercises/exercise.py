@@ -47,6 +47,7 @@ class Exercise(Generic[G]):
 
     An answer whose judge needs more than the value or the formula of a step (the true states of a mechanism, the pose
     of a chain) names in `references` a function of the givens, the solved values and the drawn states that makes it.
+    A laboratory exercise names in `report` which answers fill the sections of report TMM-2.
     The function `figure` in the folder's `figure.py` is imported when the variant is first drawn.
     """
 
@@ -58,6 +59,7 @@ class Exercise(Generic[G]):
     answers: Answers | Callable[[G], Answers]
     mistakes: Mapping[str, Mistake[G]]
     references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
+    report: Mapping[int, tuple[str, ...]] = field(default_factory=dict)
     version: int = 1
     minutes: int = 20
 

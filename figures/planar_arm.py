@@ -5,7 +5,7 @@ The base A stands at the origin of x and y; angles are counter-clockwise. Nothin
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import pi, radians
 from typing import Literal
@@ -13,9 +13,9 @@ from typing import Literal
 from figures.canvas import Drawing, Piece
 from figures.joints import gripper, ground, ground_line, revolute, slider
 from figures.label import Label, point, symbol
-from figures.lines import arc, thin, thin_arrow
+from figures.lines import arc, thin, thin_arrow, vector
 from figures.members import link
-from figures.picture import Picture, Words
+from figures.picture import Picture, Table, Words
 from figures.placing import Spot, place, written
 from figures.plane import Point, direction, left_of, unit
 
@@ -70,6 +70,36 @@ def draw(prefix: str, words: Words, word: Word, across: bool, relative: bool) ->
     for label, spots in _labels(word, pose):
         pieces += place(label, spots, pieces)
     return Picture(Drawing(tuple(pieces)).to_svg(prefix, words.title, words.description, WIDTH), words.table)
+
+
+def draw_polygon(prefix: str, title: str, word: Word, across: bool, vectors: Sequence[tuple[str, str, str]]) -> Picture:
+    """Draw vectors between the nodes of the arm, each with its name; the foot E of D lies on x.
+
+    Args:
+        prefix: The id of the figure on its page.
+        title: What it shows.
+        word: The joints of the arm.
+        across: As for the scheme.
+        vectors: Name, start and end of each vector; one with an unknown node is left out.
+    """
+    pose = _pose(word, across)
+    nodes = dict(zip("ABCD", pose.nodes, strict=True)) | {"E": complex(pose.nodes[3].real, 0)}
+    pieces: list[Piece] = [*_axes()]
+    known = [(name, nodes[a], nodes[b]) for name, a, b in vectors if a in nodes and b in nodes and nodes[a] != nodes[b]]
+    for _, start, end in known:
+        pieces += vector(start, end)
+    for name, at in nodes.items():
+        pieces += place(
+            point(name), [(at + far * unit(turn) - 6j, "middle") for far in (18, 24) for turn in RING], pieces
+        )
+    for name, start, end in known:
+        spots: list[Spot] = [
+            (left_of(start, end, off, s) - 5j, "middle") for off in (18, -18, 26) for s in (0.5, 0.35, 0.65)
+        ]
+        pieces += place(symbol(name, "pos"), spots, pieces)
+    rows = tuple((name, f"{a} → {b}") for name, a, b in vectors)
+    svg = Drawing(tuple(pieces)).to_svg(prefix, title, "; ".join(f"{n}: {way}" for n, way in rows), WIDTH)
+    return Picture(svg, Table(("", ""), rows))
 
 
 def _axes() -> tuple[Piece, ...]:

@@ -14,7 +14,7 @@ from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import Mount
 
 from exercises import catalogue
-from server import errors, exercises, health, pages, policy, solving, static_files, submissions, variants
+from server import errors, exercises, health, pages, policy, reports, solving, static_files, submissions, variants
 from server.bench import Bench
 from server.database import Database, secret_of
 from server.envelope import Envelope
@@ -26,7 +26,15 @@ from server.storage import Storage, StorageUnavailable
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
 PURGE = 24 * 3600.0  # s between two purges
-ROUTERS = (health.router, exercises.router, variants.router, submissions.router, solving.router, pages.router)
+ROUTERS = (
+    health.router,
+    exercises.router,
+    variants.router,
+    submissions.router,
+    reports.router,
+    solving.router,
+    pages.router,
+)
 log = logging.getLogger("grubler")
 
 description = APIRouter(dependencies=[Depends(admit)])

@@ -97,6 +97,14 @@ EXERCISE = Exercise(
         "epsilon2": Quantity("rad/s^2", rtol=0.01),
         "a3": Quantity("m/s^2", rtol=0.01),
     },
+    report={
+        7: ("polygon",),
+        8: ("polygon",),
+        9: ("alpha2", "l3"),
+        10: ("velocities", "accelerations"),
+        11: ("omega2", "epsilon2"),
+        12: ("v3", "a3"),
+    },
     references=dict.fromkeys(("polygon", "velocities", "accelerations"), judged_by),
     mistakes={
         "lost_minus": Mistake(alpha2="asin(l1*sin(alpha1)/l2)"),

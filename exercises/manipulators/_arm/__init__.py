@@ -37,6 +37,19 @@ class Side:
 
 Sides = tuple[Side, Side, Side]
 Term = tuple[str, str]  # what it is, and the term with its sign
+REPORT = {  # sections of report TMM-2 (RP-1) and the answers that fill them
+    4: ("aim",),
+    7: ("polygon",),
+    8: ("polygon",),
+    9: ("alpha3", "x_D", "y_D"),
+    10: ("velocities", "accelerations"),
+    11: ("omega3", "epsilon3", "v_C", "a_C"),
+    12: (
+        *(f"{name}{more}" for name in ("v_x", "v_y", "a_x", "a_y") for more in ("_formula", "")),
+        *("v_D", "a_D"),
+    ),
+    13: ("k_v", "conclusions"),
+}
 FIXED = {"0": "x", "pi/2": "y"}
 AXES = {"x": ("cos", "sin", "-"), "y": ("sin", "cos", "+")}  # along the side, across it, sign of what turns
 
@@ -116,7 +129,7 @@ def steps(directions: Steps, sides: Sides) -> Steps:
         **gripper(sides),
         "v_D": "sqrt(v_x^2 + v_y^2)",
         "a_D": "sqrt(a_x^2 + a_y^2)",
-        "speed_ratio": f"sqrt((v_x {across[0]})^2 + (v_y {across[1]})^2)/v_D",
+        "k_v": f"sqrt((v_x {across[0]})^2 + (v_y {across[1]})^2)/v_D",
     }
 
 
@@ -148,7 +161,7 @@ def answers() -> dict[str, Grader]:
         **dict(pair for formula, number in zip(parts, numbers, strict=True) for pair in (formula, number)),
         "v_D": Quantity("m/s"),
         "a_D": Quantity("m/s^2"),
-        "speed_ratio": Quantity("1"),
+        "k_v": Quantity("1"),
         "conclusions": Text(step="x_D", weight=0.0),
     }
 

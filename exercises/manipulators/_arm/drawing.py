@@ -53,7 +53,7 @@ def clear(start: dict[str, float], steps: Steps, sides: Sides) -> bool:
         all(abs(sum(found)) > CANCELLED * sum(map(abs, found)) for found in sums)
         and all(abs(one) > CANCELLED * max(parts) for one in turned)
         and abs(remainder(_number("alpha3", values), pi / 2)) > LEVEL
-        and abs(_number("speed_ratio", values) - 1) > CANCELLED
+        and abs(_number("k_v", values) - 1) > CANCELLED
     )
 
 

@@ -92,7 +92,7 @@ def oracle(arm: Arm, numbers: Numbers, doubled: str) -> Values:
         "alpha3": motion.poses[3][2], "omega3": motion.rates[3][2], "epsilon3": motion.accelerations[3][2],
         "x_D": d[0][0], "y_D": d[0][1], "v_x": d[1][0], "v_y": d[1][1], "a_x": d[2][0], "a_y": d[2][1],
         "v_C": hypot(*c[1]), "a_C": hypot(*c[2]), "v_D": hypot(*d[1]), "a_D": hypot(*d[2]),
-        "speed_ratio": speed_then / hypot(*d[1]),
+        "k_v": speed_then / hypot(*d[1]),
     }  # fmt: skip
 
 

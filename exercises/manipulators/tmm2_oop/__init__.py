@@ -106,5 +106,6 @@ EXERCISE = Exercise(
         "degrees_as_radians": Mistake(Theta1="Theta1*180/pi", Theta2="Theta2*180/pi"),
         **_arm.slips(lambda _: SIDES),
     },
+    report=_arm.REPORT,
     minutes=90,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from figures import planar_arm
@@ -14,3 +14,8 @@ def figure(givens: Any, words: Mapping[str, Any], lang: str) -> Picture:
     table = Table(tuple(words["header"]), tuple(tuple(row) for row in words["rows"]))
     said = Words(words["title"], words["description"], table)
     return planar_arm.draw("tmm2-oop", said, "OOP", givens.slide == "across", givens.measured == "relative")
+
+
+def polygon(givens: Any, title: str, vectors: Sequence[tuple[str, str, str]]) -> Picture:
+    """Draw a student's vectors between the nodes, in the same pose."""
+    return planar_arm.draw_polygon("tmm2-oop-polygon", title, "OOP", givens.slide == "across", vectors)

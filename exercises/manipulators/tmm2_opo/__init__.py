@@ -104,5 +104,6 @@ EXERCISE = Exercise(
         "degrees_as_radians": Mistake(Theta1="Theta1*180/pi", Theta3="Theta3*180/pi"),
         **_arm.slips(lambda _: SIDES),
     },
+    report=_arm.REPORT,
     minutes=90,
 )

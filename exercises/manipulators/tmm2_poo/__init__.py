@@ -128,5 +128,6 @@ EXERCISE = Exercise(
         "degrees_as_radians": Mistake(Theta2="Theta2*180/pi", Theta3="Theta3*180/pi"),
         **_arm.slips(lambda g: SIDES[g.slide], carried=False),
     },
+    report=_arm.REPORT,
     minutes=90,
 )

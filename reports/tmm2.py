@@ -1,0 +1,199 @@
+"""The report of laboratory TMM-2 (domain RP-1, RP-2): thirteen sections, headings as on the form.
+
+Before grading it holds the student's data, the scheme and the givens, and ruled space for the rest. On request the
+student's own graded answers stand in the sections. No reference value ever does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from exercises import catalogue, solving
+from exercises.exercise import Variant
+from exercises.grading import preview
+from exercises.presenting import Presented, presented
+from exercises.words import printed_unit
+from graders import Verdict
+from graders.language.mathml import mathml_of
+from graders.polygon.drawn import Drawn
+from reports.document import (
+    Block,
+    Document,
+    Drawing,
+    Facts,
+    Formula,
+    Heading,
+    Line,
+    Paragraph,
+    Ruled,
+    Table,
+    from_html,
+    in_rows,
+    line_from_html,
+)  # fmt: skip
+from reports.words import Words, words
+
+ROOM = {4: 3, 9: 9, 11: 11, 12: 12, 13: 11}  # lines of ruled space in the sections
+SQUARED = {5: 8, 7: 3, 8: 6, 10: 13}
+
+
+class NoReport(ValueError):
+    """The exercise is no laboratory with a TMM-2 report."""
+
+
+@dataclass(frozen=True, slots=True)
+class Person:
+    """Who hands the report in."""
+
+    name: str = ""
+    group: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class HandedIn:
+    """A graded submission: answers as typed, their outcomes, and the receipt."""
+
+    answers: Mapping[str, str]
+    outcomes: Mapping[str, str] = field(default_factory=dict)
+    receipt: str = ""
+    received: str = ""
+    digest: str = ""
+    score: float | None = None
+
+
+def tmm2(variant: Variant, language: str, person: Person, code: str, handed: HandedIn | None = None) -> Document:
+    """Make the report of a variant.
+
+    Args:
+        variant: The student's variant.
+        language: pl, en or ru.
+        person: Name and group; what is missing is left to be written by hand.
+        code: How the variant is named to the student: its seed in practice, an opaque code in a task set.
+        handed: The submission whose answers fill the sections; none for the skeleton.
+
+    Raises:
+        NoReport: The exercise has no TMM-2 report.
+    """
+    exercise = catalogue.load(variant.exercise).exercise
+    if not exercise.report:
+        raise NoReport(variant.exercise)
+    said, shown = words(language)["tmm2"], presented(variant, language)
+    sheet = _Sheet(variant, language, person, handed, shown, said)
+    head = ((said["manipulator"], shown.title), (said["variant"], code), (said["version"], str(variant.version)))
+    blocks: list[Block] = [Paragraph((said["topic"],)), Facts(head)]
+    for number, heading in said["sections"].items():
+        blocks += [Heading(f"{number}. {heading}"), *sheet.section(int(number), exercise.report.get(int(number), ()))]
+    blocks += sheet.receipt()
+    return Document(said["title"], said["exercise"], language, tuple(blocks), f"TMM-2, {shown.title}, {code}")
+
+
+@dataclass(frozen=True, slots=True)
+class _Sheet:
+    """One report in the making."""
+
+    variant: Variant
+    language: str
+    person: Person
+    handed: HandedIn | None
+    shown: Presented
+    said: Words
+
+    def section(self, number: int, answers: tuple[str, ...]) -> Iterator[Block]:
+        match number:
+            case 1:
+                yield from _written(self.person.name)
+            case 2:
+                yield from _written(self.person.group)
+            case 3:
+                yield Ruled(1)
+            case 5:
+                yield from self._drawings()
+            case 6:
+                yield from self._data()
+            case 7 | 8 if self._polygon() is not None:
+                yield from self._equations(number)
+            case _ if self.handed is not None and answers:
+                for name in answers:
+                    yield from self._answer(name)
+            case _:
+                yield Ruled(SQUARED[number], squared=True) if number in SQUARED else Ruled(ROOM[number])
+
+    def _drawings(self) -> Iterator[Block]:
+        if self.shown.picture:
+            yield Drawing(self.shown.picture.svg, self.shown.title, 0.5)
+        drawn = self._polygon()
+        own = drawn and catalogue.load(self.variant.exercise).polygon(
+            self.variant.givens, self.said["sections"]["5"], [(v.label, v.start, v.end) for v in drawn.vectors]
+        )
+        yield Drawing(own.svg, self.said["sections"]["5"], 0.5) if own else Ruled(SQUARED[5], squared=True)
+
+    def _data(self) -> Iterator[Block]:
+        """The geometry in words, the givens as a table, the conventions."""
+        yield next(from_html(self.shown.statement_html))
+        pairs = [line_from_html(f"{symbol} = {value}") for symbol, value in self.shown.givens]
+        rows = [pairs[at : at + 4] for at in range(0, len(pairs), 4)]
+        yield Table((), tuple(tuple(row) + (("",),) * (4 - len(row)) for row in rows))
+        yield Paragraph((self.said["conventions"],), quiet=True)
+
+    def _polygon(self) -> Drawn | None:
+        """Read the student's polygon, if one was handed in that can be read."""
+        text = self.handed.answers.get("polygon", "") if self.handed else ""
+        solved = solving.solved(self.variant)
+        if not text.strip() or isinstance(preview(self.variant, "polygon", text), Verdict):
+            return None
+        drawn = solved.answers["polygon"].parse(text, solved.symbols("polygon"))
+        return drawn if isinstance(drawn, Drawn) else None
+
+    def _equations(self, number: int) -> Iterator[Block]:
+        """Section 7: the closure; section 8: both projections."""
+        drawn = self._polygon()
+        assert drawn is not None
+        comma = self.language != "en"
+        trees = [c.tree for c in drawn.closures] if number == 7 else [e.tree for e in drawn.equations]
+        for tree in trees:
+            yield Paragraph((Formula(mathml_of(tree, comma)),))
+        yield Paragraph((self._outcome("polygon"),), quiet=True)
+
+    def _answer(self, name: str) -> Iterator[Block]:
+        """What is asked, what was typed as it was understood, and how it was judged."""
+        assert self.handed is not None
+        field_, text = self.shown.answers[name], self.handed.answers.get(name, "")
+        prompt = line_from_html(field_.prompt_html)
+        if not text.strip():
+            yield Paragraph((*prompt, f": {self.said['unanswered']}"), quiet=True)
+            return
+        first, *more = _understood(self.variant, name, text, self.language)
+        yield Paragraph((*prompt, ": ", *first))
+        yield from (Paragraph(line) for line in more)
+        yield Paragraph((self._outcome(name),), quiet=True)
+
+    def _outcome(self, name: str) -> str:
+        assert self.handed is not None
+        outcome = self.handed.outcomes.get(name)
+        return words(self.language)["outcomes"][outcome] if outcome else ""
+
+    def receipt(self) -> Iterator[Block]:
+        """The receipt of what was handed in."""
+        if self.handed is None or not self.handed.receipt:
+            return
+        score = "" if self.handed.score is None else f"{100 * self.handed.score:.0f} %"
+        keys = ("receipt", "received", "digest", "score")
+        values = (self.handed.receipt, self.handed.received, self.handed.digest, score)
+        yield Heading(self.said["receipt"])
+        yield Facts(tuple((self.said[key], value) for key, value in zip(keys, values, strict=True)))
+        yield Paragraph((self.said["own"],), quiet=True)
+
+
+def _written(text: str) -> Iterator[Block]:
+    yield Paragraph((text,)) if text.strip() else Ruled(1)
+
+
+def _understood(variant: Variant, name: str, text: str, language: str) -> list[Line]:
+    """Give an answer as it was read, line by line; what could not be read, or is a text, stands as typed."""
+    echo = preview(variant, name, text, language != "en")
+    if isinstance(echo, Verdict) or not echo.mathml:
+        return [(text.strip(),)]
+    unit = printed_unit(echo.unit or "", language)
+    formulas = [Formula(mathml) for mathml in in_rows(echo.mathml)]
+    return [(formula, f" {unit}" if unit else "") for formula in formulas]

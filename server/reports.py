@@ -1,0 +1,63 @@
+"""Reports of a variant as documents: the skeleton, or filled with the answers of a receipt."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Annotated, Literal
+
+from fastapi import APIRouter, Depends, Query
+from starlette.responses import Response
+
+from reports import formats
+from reports.tmm2 import HandedIn, NoReport, Person, tmm2
+from server.bench import Bench, Tools
+from server.errors import Failure, Refused
+from server.reader import Asking, Reader, admit
+from server.storage import Dealt
+from server.submissions import Graded, graded, receipted
+from server.variants import GONE, restored, visible
+
+router = APIRouter(prefix="/api/v1/reports", dependencies=[Depends(admit)], tags=["reports"])
+Written = Annotated[str, Query(max_length=80)]
+
+
+@router.get(
+    "/tmm2/{variant}.{form}",
+    response_class=Response,
+    responses=GONE | {422: {"model": Failure}} | {200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
+)
+async def tmm2_report(
+    variant: str, form: Literal["pdf", "docx", "typ", "md"], bench: Tools, reader: Asking,
+    name: Written = "", group: Written = "", receipt: Annotated[str, Query(max_length=64)] = "",
+) -> Response:  # fmt: skip
+    """Write the TMM-2 report of a variant: without a receipt its skeleton, with one the student's own answers."""
+    dealt = await visible(bench, reader, variant)
+    handed = await _handed(bench, reader, dealt, receipt) if receipt else None
+    person = Person(name, group)
+    try:
+        made = await bench.judging.run(tmm2, restored(dealt), reader.language, person, str(dealt.seed), handed)
+    except NoReport:
+        raise Refused(404, "no_report") from None
+    content = await asyncio.to_thread(formats.written, made, form)
+    attached = {"Content-Disposition": f'attachment; filename="tmm-2.{form}"'}
+    return Response(content, media_type=formats.MEDIA[form], headers=attached)
+
+
+async def _handed(bench: Bench, reader: Reader, dealt: Dealt, receipt: str) -> HandedIn:
+    """Give the submission of a receipt; refuses one of another variant."""
+    marked = await receipted(bench, reader, receipt)
+    if marked.handed.variant != dealt.id:
+        raise Refused(404, "unknown_submission")
+    return handed_in(await graded(bench, marked, reader.language))
+
+
+def handed_in(found: Graded) -> HandedIn:
+    """Give a graded submission as reports show it."""
+    return HandedIn(
+        answers={name: text if isinstance(text, str) else "\n".join(text) for name, text in found.answers.items()},
+        outcomes={name: verdict.outcome for name, verdict in found.verdicts.items()},
+        receipt=found.receipt.id,
+        received=found.receipt.time.strftime("%Y-%m-%d %H:%M:%S UTC"),
+        digest=found.receipt.digest[:16],
+        score=found.score,
+    )
