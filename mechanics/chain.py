@@ -183,7 +183,6 @@ def link_motions(
     q: Sequence[float],
     qd: Sequence[float],
     qdd: Sequence[float],
-    base: LinkMotion = REST,
 ) -> list[LinkMotion]:
     """Find the motion of every link in base axes, from the first to the last (domain DH-8).
 
@@ -192,19 +191,16 @@ def link_motions(
         q: Joint variables, ``(n,)``, radians or metres.
         qd: Their rates, ``(n,)``.
         qdd: Their accelerations, ``(n,)``.
-        base: Motion of the base.
 
     Raises:
         ValueError: A vector has another length, or a value is not finite.
     """
     check_variables(chain.rows, chain.convention, q=q, qd=qd, qdd=qdd)
-    return _link_motions(chain, frames(chain, q), qd, qdd, base)
+    return _link_motions(chain, frames(chain, q), qd, qdd)
 
 
-def _link_motions(
-    chain: Chain, found: Sequence[Frame], qd: Sequence[float], qdd: Sequence[float], base: LinkMotion
-) -> list[LinkMotion]:
-    motions, motion, origin = [], base, ZERO
+def _link_motions(chain: Chain, found: Sequence[Frame], qd: Sequence[float], qdd: Sequence[float]) -> list[LinkMotion]:
+    motions, motion, origin = [], REST, ZERO
     for i, (row, at, holder) in enumerate(zip(chain.rows, found, _holders(chain, found), strict=True)):
         axis = scaled(row.sign, holder[6:9])
         rate, acceleration = scaled(qd[i], axis), scaled(qdd[i], axis)
@@ -244,7 +240,7 @@ def solve(
     check_variables(chain.rows, chain.convention, q=q, qd=rates, qdd=accelerations)
     check_vector("tool_point", tool_point, "m")
     found = frames(chain, q)
-    last = _link_motions(chain, found, rates, accelerations, REST)[-1]
+    last = _link_motions(chain, found, rates, accelerations)[-1]
     arm = turned(found[-1], tool_point)
     v, a = last.point(arm)
     return ChainMotion(
