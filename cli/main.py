@@ -19,6 +19,7 @@ COMMANDS = {
     "draw": "show the variant of a seed",
     "grade": "grade files of answers",
     "solve": "answer requests to a reference solver",
+    "compare": "compare pairs of typed answers",
     "report": "write the report of a laboratory",
     "sheet": "print tasks for a class, with the key apart",
     "verify": "check that exercises may be published",

@@ -14,7 +14,19 @@ from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import Mount
 
 from exercises import catalogue
-from server import errors, exercises, health, pages, policy, reports, solving, static_files, submissions, variants
+from server import (
+    comparing,
+    errors,
+    exercises,
+    health,
+    pages,
+    policy,
+    reports,
+    solving,
+    static_files,
+    submissions,
+    variants,
+)
 from server.bench import Bench
 from server.database import Database, secret_of
 from server.envelope import Envelope
@@ -33,6 +45,7 @@ ROUTERS = (
     submissions.router,
     reports.router,
     solving.router,
+    comparing.router,
     pages.router,
 )
 log = logging.getLogger("grubler")

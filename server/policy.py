@@ -33,6 +33,7 @@ POLICIES: dict[tuple[str, str], Role] = {
     ("GET", "/api/v1/submissions/{receipt}"): Role.ANONYMOUS,
     ("GET", "/api/v1/solvers"): Role.ANONYMOUS,
     ("POST", "/api/v1/solve/{solver}"): Role.LECTURER,
+    ("POST", "/api/v1/compare"): Role.LECTURER,
     ("GET", "/api/v1/reports/tmm2/{variant}.{form}"): Role.ANONYMOUS,
     ("GET", "/"): Role.ANONYMOUS,
     ("GET", "/exercises/{exercise}"): Role.ANONYMOUS,

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from mechanics.wire.refusal import Refusal, shown
+from mechanics.wire.refusal import Refusal, below, shown
 
 LARGEST = 64 * 1024  # bytes of a request
 _DIGITS = 20  # of a whole number; a longer one is read as a float
@@ -42,6 +42,19 @@ def read(raw: bytes) -> dict[str, Any]:
     if not isinstance(found, dict):
         raise Refusal("bad_json", f"a request is an object, not {shown(found)}")
     return found
+
+
+def distinct(found: Any, place: str = "") -> None:
+    """Refuse a value in which some object has a name twice.
+
+    Raises:
+        Refusal: `repeated_field`.
+    """
+    if isinstance(found, Repeated):
+        raise Refusal("repeated_field", f"{below(place, found.name)} stands twice", below(place, found.name))
+    inner = found.items() if isinstance(found, dict) else enumerate(found) if isinstance(found, list) else ()
+    for name, value in inner:
+        distinct(value, below(place, str(name)))
 
 
 def is_json(raw: bytes) -> bool:

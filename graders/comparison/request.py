@@ -1,0 +1,242 @@
+"""Requests to compare two answers: one table of fields for each kind, every refusal by name."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from graders.language import AnswerSyntaxError, Symbols, parse
+from graders.language.doubles import UndefinedError, line_runner, run
+from graders.language.tokens import tokenize
+from graders.language.tree import Number, Tree, Unary, names
+
+COMMON = ("kind", "a", "b", "vars")
+NEEDED = ("kind", "a", "b")
+KINDS: dict[str, tuple[str, ...]] = {  # the fields of each kind beside the common ones
+    "expression": (),
+    "equation": ("solve_for",),
+    "system": ("solve_for",),
+    "matrix": (),
+    "quantity": ("rtol",),
+    "inequality": (),
+    "unordered_list": (),
+}
+LISTS = ("system", "unordered_list")
+MOST_VARS = 60
+MOST_ITEMS = 20
+LONGEST_NAME = 40
+LONGEST_TEXT = 10_000  # characters; the answer language reads fewer and says so with the place
+SHOWN = 60
+NOTHING = Symbols(())
+
+
+class BadRequest(ValueError):
+    """A request that is not compared: a code for programs, a sentence, the field.
+
+    Args:
+        code: Such as ``unknown_kind``.
+        message: The sentence.
+        field: Where it is wrong, such as ``vars.x``; empty where no field is.
+    """
+
+    def __init__(self, code: str, message: str, field: str = "") -> None:
+        super().__init__(message)
+        self.code, self.message, self.field = code, message, field
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """What is asked.
+
+    Attributes:
+        kind: One of `KINDS`.
+        a: The texts of the reference: one, or the items of a list.
+        b: The texts that are compared with it.
+        box: Least and greatest value of each symbol that has a range.
+        fixed: Symbols whose range is one value, with its formula.
+        solve_for: The unknowns.
+        rtol: The tolerance of a quantity over the size of `a`.
+    """
+
+    kind: str
+    a: tuple[str, ...]
+    b: tuple[str, ...]
+    box: Mapping[str, tuple[float, float]]
+    fixed: Mapping[str, Tree]
+    solve_for: tuple[str, ...] = ()
+    rtol: float = 0.0
+
+    @property
+    def symbols(self) -> Symbols:
+        """Give the declared symbols."""
+        return Symbols([*self.box, *self.fixed])
+
+
+def read(request: Mapping[str, Any]) -> Request:
+    """Read a request, its `id` apart.
+
+    Raises:
+        BadRequest: With the field that is wrong.
+    """
+    kind = _kind(request)
+    for name in request:
+        if name not in COMMON + KINDS[kind]:
+            raise BadRequest("unknown_field", f"there is no field {shown(name)} in a request of kind {kind}", name)
+    for name in (*NEEDED, *(field for field in KINDS[kind] if field == "solve_for")):
+        if name not in request:
+            raise BadRequest("missing_field", f"{name} is missing", name)
+    box, fixed = _vars(request.get("vars", {}))
+    return Request(
+        kind,
+        _texts(request["a"], "a", kind),
+        _texts(request["b"], "b", kind),
+        box,
+        fixed,
+        _solve_for(request.get("solve_for"), kind, box),
+        _rtol(request.get("rtol", 0)),
+    )
+
+
+def _kind(request: Mapping[str, Any]) -> str:
+    if "kind" not in request:
+        raise BadRequest("missing_field", "kind is missing", "kind")
+    kind = request["kind"]
+    if not isinstance(kind, str):
+        raise _wrong_type("kind", kind, "a text")
+    if kind not in KINDS:
+        raise BadRequest("unknown_kind", f"there is no kind {shown(kind)}; there are {', '.join(KINDS)}", "kind")
+    return kind
+
+
+def _texts(value: Any, field: str, kind: str) -> tuple[str, ...]:
+    if kind not in LISTS:
+        return (_text(value, field),)
+    if not isinstance(value, list):
+        raise _wrong_type(field, value, "a list of texts")
+    if len(value) > MOST_ITEMS:
+        raise BadRequest("out_of_range", f"{field} has at most {MOST_ITEMS} items, not {len(value)}", field)
+    return tuple(_text(one, f"{field}[{at}]") for at, one in enumerate(value))
+
+
+def _text(value: Any, field: str) -> str:
+    if not isinstance(value, str):
+        raise _wrong_type(field, value, "a text")
+    if len(value) > LONGEST_TEXT:
+        raise BadRequest("out_of_range", f"{field} has at most {LONGEST_TEXT} characters, not {len(value)}", field)
+    return value
+
+
+def _solve_for(value: Any, kind: str, box: Mapping[str, Any]) -> tuple[str, ...]:
+    if "solve_for" not in KINDS[kind]:
+        return ()
+    if kind == "equation":
+        found: Sequence[str] = [_text(value, "solve_for")]
+    elif not isinstance(value, list) or not value:
+        raise _wrong_type("solve_for", value, "a list of names")
+    else:
+        found = [_text(one, f"solve_for[{at}]") for at, one in enumerate(value)]
+    for name in found:
+        if name not in box:
+            raise BadRequest(
+                "unknown_symbol", f"solve_for names {shown(name)}, which has no range in vars", "solve_for"
+            )
+        if found.count(name) > 1:
+            raise BadRequest("contradictory", f"solve_for names {shown(name)} twice", "solve_for")
+    return tuple(found)
+
+
+def _rtol(value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise _wrong_type("rtol", value, "a number")
+    if not (math.isfinite(value) and 0 <= value < 1):
+        raise BadRequest("out_of_range", f"rtol = {shown(value)} must be from 0 to below 1", "rtol")
+    return float(value)
+
+
+def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
+    if not isinstance(value, dict):
+        raise _wrong_type("vars", value, "an object of names and ranges")
+    if len(value) > MOST_VARS:
+        raise BadRequest("out_of_range", f"vars has at most {MOST_VARS} names, not {len(value)}", "vars")
+    box, fixed = dict[str, tuple[float, float]](), dict[str, Tree]()
+    for name, bounds in value.items():
+        field = f"vars.{shown(name)[1:-1]}"
+        _require_name(name, field)
+        if not isinstance(bounds, list) or len(bounds) != 2:
+            raise _wrong_type(field, bounds, "a list of its least and its greatest value")
+        (low, least), (high, _) = (_bound(bound, field) for bound in bounds)
+        if low > high:
+            raise BadRequest("out_of_range", f"{field}: the least value {low!r} is above the greatest {high!r}", field)
+        if low == high:
+            fixed[name] = least
+        else:
+            box[name] = low, high
+    _require_distinct(value)
+    return box, fixed
+
+
+def _require_name(name: str, field: str) -> None:
+    try:
+        tokens = tokenize(name) if len(name) <= LONGEST_NAME else []
+    except AnswerSyntaxError:
+        tokens = []
+    if [token.kind for token in tokens] != ["name", "end"] or tokens[0].text != name:
+        raise BadRequest("unknown_symbol", f"{field}: {shown(name)} is no name of a symbol", field)
+
+
+def _require_distinct(found: Mapping[str, Any]) -> None:
+    try:
+        Symbols(found)
+    except ValueError as error:
+        raise BadRequest("contradictory", f"vars: {error}", "vars") from None
+
+
+def _bound(value: Any, field: str) -> tuple[float, Tree]:
+    """Read a bound: a number, or a text with a constant expression."""
+    if isinstance(value, str):
+        return _constant(value, field)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise _wrong_type(field, value, "two constant expressions")
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise BadRequest("not_finite", f"{field}: the bound {shown(value)} must be finite", field)
+    digits, _, power = repr(abs(number)).partition("e")
+    tree: Tree = Number(digits, int(power or "0"))
+    return number, Unary("-", tree) if number < 0 else tree
+
+
+def _constant(text: str, field: str) -> tuple[float, Tree]:
+    try:
+        tree = parse(text, NOTHING)
+        (number,) = run(line_runner(tree), []) if not names(tree) else (None,)
+    except AnswerSyntaxError as error:
+        said = f"{field}: the bound {shown(text)} cannot be read ({error.reason.value} at {error.position})"
+        raise BadRequest("unreadable_bound", said, field) from None
+    except UndefinedError:
+        number = math.nan
+    except ValueError:
+        number = None
+    if not isinstance(number, float):
+        raise BadRequest("unreadable_bound", f"{field}: the bound {shown(text)} is no number", field)
+    if not math.isfinite(number):
+        raise BadRequest("not_finite", f"{field}: the bound {shown(text)} must be finite", field)
+    return number, tree
+
+
+def _wrong_type(field: str, value: Any, wanted: str) -> BadRequest:
+    return BadRequest("wrong_type", f"{field} = {shown(value)} must be {wanted}", field)
+
+
+def shown(value: Any) -> str:
+    """Make a foreign value safe to print on one line."""
+    if isinstance(value, dict | list):
+        return "an object" if isinstance(value, dict) else "a list"
+    text = json.dumps(value, ensure_ascii=False) if not isinstance(value, int) or abs(value) < 10**20 else "a number"
+    safe = "".join(sign if sign.isprintable() else "\ufffd" for sign in text[:SHOWN])
+    return safe + "…" if len(text) > SHOWN else safe

@@ -1,0 +1,231 @@
+"""Whether two equations have the same solutions in a box.
+
+First the ratio of the two sides: constant in the unknown, it says they are zero together. Otherwise zeros of each are
+found and proved, and the other must be zero there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice, product, zip_longest
+
+from flint import arb
+
+from graders.equality import Finding
+from graders.language.balls import precision
+from graders.language.tree import Call, Relation, Tree, walk
+from graders.solutions.beside import Beside, beside
+from graders.solutions.branches import BRANCHING, branch_starts
+from graders.solutions.newton import projected
+from graders.solutions.reduction import factors, reduced, residual
+from graders.solutions.scene import (
+    BITS,
+    Effort,
+    Residuals,
+    Scene,
+    Side,
+    TooMuchWork,
+    exactly,
+    extreme,
+    moved,
+    used_symbols,
+)
+from graders.solutions.zeros import Line, Zero, scanned, straight
+
+DRAWS = 6  # points at which the ratio is tested
+ENOUGH = 3  # zeros of each side that the other must share
+STARTS = 9  # points from which zeros are looked for all over the box
+SCANNED = 2  # lines that are searched from end to end
+MOST = 12  # zeros of one line
+SHARE = 0.6180339887  # of the range between the two values of the unknown
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What comparing two sets of solutions found.
+
+    Attributes:
+        finding: The finding.
+        witness: A point at which one is proved true and the other not.
+        lost: Whether the reference is the one that is true there, so that a solution is lost.
+    """
+
+    finding: Finding
+    witness: tuple[tuple[str, float], ...] = ()
+    lost: bool = False
+
+
+UNDECIDED, EQUAL = Found(Finding.UNDECIDED), Found(Finding.EQUAL)
+
+
+def compare_equations(answer: Relation, reference: Relation, scene: Scene, unknown: str) -> Found:
+    """Compare the solutions of two equations in a box.
+
+    Args:
+        answer: The equation to judge.
+        reference: The equation it should be equal to.
+        scene: The box over all symbols.
+        unknown: The symbol the equations are solved for.
+    """
+    if answer == reference:
+        return EQUAL
+    unknowns = frozenset((unknown,))
+    with precision(BITS):
+        try:
+            trees = [reduced(residual(equation), unknowns) for equation in (reference, answer)]
+            pair = Pair(scene, trees, scene.names.index(unknown))
+            return pair.by_ratio() or pair.by_zeros()
+        except TooMuchWork:
+            return UNDECIDED
+
+
+class Pair:
+    """The residuals of the reference and the answer over one scene."""
+
+    def __init__(self, scene: Scene, trees: Sequence[Tree], unknown: int) -> None:
+        self.scene, self.trees, self.unknown = scene, trees, unknown
+        parts = [factors(tree) for tree in trees]
+        several = any(len(part) > 1 for part in parts)
+        self.both = Residuals(scene, [[tree] for tree in trees] + (parts if several else []), Effort())
+        self.sides = (Side(self.both, 0), Side(self.both, 1))
+        self.factors = [
+            [Side(self.both, 2 + which, (k,)) for k in range(len(part))] if several else [self.sides[which]]
+            for which, part in enumerate(parts)
+        ]
+
+    def by_ratio(self) -> Found | None:
+        """Tell whether the ratio of the two is constant in the unknown; None where it is not, or has no value."""
+        tested, depends = 0, False
+        for point in exactly(self.scene.points):
+            one, other = self.both.balls(point)[:2]
+            first, second = self.both.balls(moved(point, self.unknown, self._elsewhere(point)))[:2]
+            if one is None or other is None or first is None or second is None:
+                if (one is None) != (other is None) or (first is None) != (second is None):
+                    return None
+                continue
+            if not (one * second - other * first).contains(0) or first.contains(0) or second.contains(0):
+                return None
+            depends = depends or not (one - first).contains(0)
+            tested += 1
+            if tested == DRAWS:
+                return EQUAL if depends and self._everywhere() else None
+        return None
+
+    def _elsewhere(self, point: Sequence[arb]) -> arb:
+        low, high = self.scene.ranges[self.unknown]
+        share = (float(point[self.unknown]) - low) / (high - low) if high > low else 0.0
+        return arb(low + (high - low) * ((share + SHARE) % 1.0))
+
+    def _everywhere(self) -> bool:
+        """Where brackets open or roots end inside the box, look at more places in doubles."""
+        return not self.branching or all(self._same_ratio(point) for point in self.scene.points)
+
+    @cached_property
+    def branching(self) -> bool:
+        """Tell whether a bracket, a root or an inverse function stands in one of the two."""
+        return any(isinstance(n, Call) and n.function in BRANCHING for tree in self.trees for n in walk(tree))
+
+    def _same_ratio(self, point: Sequence[float]) -> bool:
+        low, high = self.scene.ranges[self.unknown]
+        ratio: float | None = None
+        for k in range(8):
+            place = moved(point, self.unknown, low + (high - low) * (k + 0.37) / 8)
+            one, other = (side.doubles(place) for side in self.sides)
+            if one is None or other is None:
+                if one is not None or other is not None:
+                    return False
+            elif (one[0] == 0) != (other[0] == 0):
+                return False
+            elif ratio is None:
+                ratio = one[0] / other[0] if other[0] else None
+            elif abs(one[0] - ratio * other[0]) > 1e-6 * (abs(one[0]) + abs(ratio * other[0])):
+                return False
+        return True
+
+    def by_zeros(self) -> Found:
+        """Find zeros of each and test the other there."""
+        shared, unsure = [0, 0], False
+        for which, zero in self._zeros():
+            match beside(self.sides[1 - which], zero):
+                case Beside.OTHER | Beside.UNDEFINED:
+                    return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
+                case Beside.ZERO:
+                    shared[which] += 1
+                case Beside.UNSURE:
+                    unsure = True
+        return EQUAL if min(shared) >= ENOUGH - 1 and sum(shared) >= 2 * ENOUGH and not unsure else UNDECIDED
+
+    def _zeros(self) -> Iterator[tuple[int, Zero]]:
+        """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
+        found: tuple[list[Zero], list[Zero]] = ([], [])
+        affine = [self._affine(side, self.unknown) for sides in self.factors for side in sides]
+        for source in (self._regions(), self._in_turn(self._solved), self._in_turn(self._spread)):
+            for which, zero in source:
+                found[which].append(zero)
+                yield which, zero
+            if all(affine) and min(map(len, found)) >= ENOUGH and not self.branching:
+                return
+        for which in (0, 1):
+            for zero in self._along_lines(which, [*found[0], *found[1]]):
+                yield which, zero
+
+    def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
+        for pair in zip_longest(source(0), source(1)):
+            yield from ((which, zero) for which, zero in enumerate(pair) if zero is not None)
+
+    def _regions(self) -> Iterator[tuple[int, Zero]]:
+        """Give points in the middle of the box where a side is zero: an identity, a bracket that is not open."""
+        for point in exactly(self.scene.points[: 2 * DRAWS]):
+            for which, value in enumerate(self.both.balls(point)[:2]):
+                if value is not None and value.contains(0):
+                    yield which, Zero(tuple(point), (self.unknown,))
+
+    def _affine(self, side: Side, at: int) -> bool:
+        """Tell whether a side is affine in a symbol, at the first points where it has a value."""
+        lines = (Line(side, base, at) for base in self.scene.points[:4])
+        return next((True for line in lines if straight(line) is not None), False)
+
+    def _solved(self, which: int) -> Iterator[Zero]:
+        """Give zeros where a factor of a side is affine in the unknown."""
+        for side in self.factors[which]:
+            if self._affine(side, self.unknown):
+                found = (straight(Line(side, base, self.unknown)) for base in self.scene.points)
+                yield from islice((one.zero for one in found if one is not None and one.zero is not None), ENOUGH + 1)
+
+    def _spread(self, which: int) -> Iterator[Zero]:
+        """Give zeros all over the box and in every branch: by a symbol in which a factor is affine, else by steps."""
+        for side in self.factors[which]:
+            yield from self._spread_of(side, used_symbols(self.scene, (self.trees[which],)))
+
+    def _spread_of(self, side: Side, used: Sequence[int]) -> Iterator[Zero]:
+        affine, count = [at for at in used if at != self.unknown and self._affine(side, at)], 0
+        moving = ((self.unknown,), used, [at for at in used if at != self.unknown])
+        for k, start in enumerate(self.starts):
+            zero = self._beside(side, start, affine)
+            if zero is None and (not affine or count < ENOUGH):
+                zero = projected(side, start, moving[k % 3])
+            if zero is not None:
+                count += 1
+                yield zero
+
+    @cached_property
+    def starts(self) -> list[list[float]]:
+        """Give points all over the box and in every branch."""
+        branches = branch_starts(self.scene, self.trees, self.both.effort) if self.branching else []
+        return [*(start for start in branches for _ in range(3)), *islice(extreme(self.scene), STARTS)]
+
+    def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
+        for at in affine[:3]:
+            found = straight(Line(side, start, at))
+            if found is not None and found.zero is not None:
+                return found.zero
+        return None
+
+    def _along_lines(self, which: int, known: Sequence[Zero]) -> Iterator[Zero]:
+        """Search whole lines along the unknown through points near zeros, else through any points."""
+        bases = [[float(x) for x in zero.point] for zero in known[:: max(1, len(known) // SCANNED)]]
+        bases = bases[:SCANNED] or [list(point) for point in self.scene.points[: 2 * SCANNED]]
+        for base, side in product(bases, self.factors[which]):
+            yield from islice(scanned(Line(side, base, self.unknown)), MOST)

@@ -1,0 +1,164 @@
+"""Whether two inequalities, also chained ones, hold at the same points of a box.
+
+They are tested inside, exactly on every border that is found, and between neighbouring borders of both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice, pairwise
+from typing import TypeAlias
+
+from flint import arb
+
+from graders.equality import Finding
+from graders.language.balls import precision
+from graders.language.tree import Binary, Relation, Tree
+from graders.solutions.beside import Beside, beside
+from graders.solutions.branches import branch_starts
+from graders.solutions.equations import EQUAL, UNDECIDED, Found
+from graders.solutions.scene import (
+    BITS,
+    Effort,
+    Residuals,
+    Scene,
+    Side,
+    TooMuchWork,
+    exactly,
+    extreme,
+    moved,
+    used_symbols,
+)
+from graders.solutions.zeros import Line, Zero, scanned, straight
+
+ORDERS = {"<": (True, True), "<=": (True, False), ">": (False, True), ">=": (False, False)}  # below, strict
+LINES = 6  # points through which borders are looked for
+NODES = 33
+MOST = 6  # borders of one line
+INEQUALITY_WORK = 30_000
+Place: TypeAlias = tuple[int, int]  # a side and one of its residuals
+
+
+def is_inequality(tree: Tree) -> bool:
+    """Tell whether a tree is an inequality or a chain of them."""
+    return isinstance(tree, Relation) and all(operator in ORDERS for operator in tree.operators)
+
+
+def compare_inequalities(answer: Relation, reference: Relation, scene: Scene) -> Found:
+    """Compare where two inequalities hold in a box."""
+    if answer == reference:
+        return EQUAL
+    with precision(BITS):
+        try:
+            return Regions(scene, reference, answer).compared()
+        except TooMuchWork:
+            return UNDECIDED
+
+
+class Regions:
+    """The regions in which the reference and the answer hold."""
+
+    def __init__(self, scene: Scene, reference: Relation, answer: Relation) -> None:
+        self.scene = scene
+        trees = [[Binary("-", a, b) for a, b in pairwise(chain.sides)] for chain in (reference, answer)]
+        self.orders = [[ORDERS[operator] for operator in chain.operators] for chain in (reference, answer)]
+        self.effort = Effort(INEQUALITY_WORK)
+        self.both = Residuals(scene, trees, self.effort)
+        self.sides = (Side(self.both, 0), Side(self.both, 1))
+        self.trees = [tree for side in trees for tree in side]
+        self.unsure, self.borders = False, [0, 0]
+
+    def compared(self) -> Found:
+        """Test points inside, on the borders and between them."""
+        starts = [*branch_starts(self.scene, self.trees, self.effort), *extreme(self.scene)]
+        for point in exactly(starts):
+            found = self._tested(point)
+            if found is not None:
+                return found
+        for start in starts[:LINES]:
+            for at in used_symbols(self.scene, self.trees):
+                found = self._along(start, at)
+                if found is not None:
+                    return found
+        found_both = all(self.borders) or not any(self.borders)
+        return EQUAL if found_both and not self.unsure else UNDECIDED
+
+    def _along(self, start: Sequence[float], at: int) -> Found | None:
+        """Test the borders along a symbol and the stretches between them."""
+        zeros = [(which, index, zero) for which, index, zero in self._zeros(start, at)]
+        for which, index, zero in zeros:
+            self.borders[which] += 1
+            found = self._on_border(which, index, zero)
+            if found is not None:
+                return found
+        places = sorted((zero.point[at] for *_, zero in zeros), key=lambda place: float(place.mid()))
+        low, high = self.scene.ranges[at]
+        for one, two in pairwise([arb(low), *places, arb(high)]):
+            middle = arb((one.mid() + two.mid()) / 2)
+            if not one.overlaps(two):
+                found = self._tested(moved([arb(x) for x in start], at, middle))
+                if found is not None:
+                    return found
+        return None
+
+    def _zeros(self, start: Sequence[float], at: int) -> Iterator[tuple[int, int, Zero]]:
+        for which, side in enumerate(self.sides):
+            for index in range(len(self.orders[which])):
+                line = Line(side, start, at, index)
+                found = straight(line)
+                if found is None:
+                    yield from ((which, index, zero) for zero in islice(scanned(line, NODES), MOST))
+                elif found.zero is not None:
+                    yield which, index, found.zero
+
+    def _on_border(self, which: int, index: int, zero: Zero) -> Found | None:
+        """Test a point where a residual is zero; others that are zero there are found by how they behave around it."""
+        known, missing = {(which, index)}, set[Place]()
+        for other, side in enumerate(self.sides):
+            for k in range(len(self.orders[other])):
+                value = side.ball(zero.point, k)
+                if (other, k) not in known and (value is None or value.contains(0)):
+                    state = beside(Side(self.both, other, (k,)), zero)
+                    if state is Beside.ZERO:
+                        known.add((other, k))
+                    elif value is None:
+                        missing.add((other, k))
+                    elif state is Beside.UNSURE:
+                        self.unsure = True
+                        return None
+        return self._tested([arb(x.mid()) for x in zero.point], frozenset(known), frozenset(missing))
+
+    def _tested(
+        self, point: Sequence[arb], zeros: frozenset[Place] = frozenset(), missing: frozenset[Place] = frozenset()
+    ) -> Found | None:
+        """Compare where a point lies; None where both say the same or it is not known."""
+        gone = [any(place[0] == which for place in missing) for which in (0, 1)]
+        here = [False if gone[which] else self._holds(which, point, zeros) for which in (0, 1)]
+        if here[0] is None or here[1] is None:
+            self.unsure = self.unsure or bool(zeros)
+            return None
+        if here[0] == here[1]:
+            return None
+        witness = tuple((name, float(x)) for name, x in zip(self.scene.names, point, strict=True))
+        return Found(Finding.DIFFERENT, witness, lost=here[0])
+
+    def _holds(self, which: int, point: Sequence[arb], zeros: frozenset[Place]) -> bool | None:
+        """Tell whether an inequality holds at a point; where a side has no value it does not."""
+        unknown = False
+        for index, (below, strict) in enumerate(self.orders[which]):
+            if (which, index) in zeros:
+                if strict:
+                    return False
+                continue
+            value = self.sides[which].ball(point, index)
+            if value is None:
+                if self.sides[which].nowhere(point):
+                    return False
+                unknown = True
+            elif value.contains(0):
+                unknown = unknown or not (value.is_zero() and not strict)
+                if value.is_zero() and strict:
+                    return False
+            elif (value < 0) != below:
+                return False
+        return None if unknown else True

@@ -1,0 +1,66 @@
+"""Equations to residuals with the same zeros: signs, powers, roots and plain factors go."""
+
+from __future__ import annotations
+
+from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary
+
+SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
+
+
+def is_equation(tree: Tree) -> bool:
+    """Tell whether a tree is one equation with one equals sign."""
+    return isinstance(tree, Relation) and tree.operators == ("=",)
+
+
+def residual(equation: Relation) -> Tree:
+    """Give left minus right; a side that is zero is left out."""
+    left, right = equation.sides
+    if _zero(right):
+        return left
+    return right if _zero(left) else Binary("-", left, right)
+
+
+def reduced(tree: Tree, unknowns: frozenset[str]) -> Tree:
+    """Give a tree with the same zeros where it is defined, without what only changes sign, size or multiplicity."""
+    match tree:
+        case Unary(operator="+" | "-" | "°", operand=operand):
+            return reduced(operand, unknowns)
+        case Call(function=function, arguments=(inside,)) if function in SAME_ZEROS:
+            return reduced(inside, unknowns)
+        case Call(function="root", arguments=(inside, degree)) if _positive(degree):
+            return reduced(inside, unknowns)
+        case Binary(operator="^", left=base, right=power) if _positive(power):
+            return reduced(base, unknowns)
+        case Binary(operator="*", left=left, right=right):
+            if _plain(left, unknowns):
+                return reduced(right, unknowns)
+            if _plain(right, unknowns):
+                return reduced(left, unknowns)
+            return Binary("*", reduced(left, unknowns), reduced(right, unknowns))
+        case Binary(operator="/", left=left, right=right):
+            return reduced(left, unknowns) if _plain(right, unknowns) else tree
+        case _:
+            return tree
+
+
+def factors(tree: Tree) -> list[Tree]:
+    """Give the factors of a reduced tree: it is zero where one of them is."""
+    if isinstance(tree, Binary) and tree.operator == "*":
+        return [*factors(tree.left), *factors(tree.right)]
+    return [tree]
+
+
+def _zero(tree: Tree) -> bool:
+    return isinstance(tree, Number) and not tree.digits.strip("0.")
+
+
+def _positive(tree: Tree) -> bool:
+    """Tell a positive constant exponent: a number, or a fraction of numbers."""
+    if isinstance(tree, Binary) and tree.operator == "/":
+        return _positive(tree.left) and _positive(tree.right)
+    return isinstance(tree, Number) and not _zero(tree)
+
+
+def _plain(tree: Tree, unknowns: frozenset[str]) -> bool:
+    """Tell a factor that is not zero at a general point and does not hold an unknown."""
+    return (isinstance(tree, Number) and not _zero(tree)) or (isinstance(tree, Name) and tree.name not in unknowns)

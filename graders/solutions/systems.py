@@ -1,0 +1,132 @@
+"""Whether two systems of equations have the same solutions in a box.
+
+First their linear dependence: where one is a combination of the other whose factors do not hold the unknowns, they are
+zero together. Otherwise zeros of each are found, and the other must be zero there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from itertools import islice
+
+from flint import arb, arb_mat
+
+from graders.equality import Finding
+from graders.language.balls import precision
+from graders.language.tree import Relation, Tree
+from graders.solutions.beside import Beside, beside
+from graders.solutions.branches import branch_starts
+from graders.solutions.equations import EQUAL, UNDECIDED, Found
+from graders.solutions.newton import projected
+from graders.solutions.reduction import reduced, residual
+from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, TooMuchWork, exactly, extreme, used_symbols
+from graders.solutions.zeros import Zero
+
+DRAWS = 3  # points at which the dependence is tested
+ENOUGH = 6  # zeros of each side that the other must share
+STARTS = 40
+SYSTEM_WORK = 90_000
+
+
+def compare_systems(
+    answer: Sequence[Relation], reference: Sequence[Relation], scene: Scene, unknowns: Sequence[str]
+) -> Found:
+    """Compare the solutions of two systems with the same number of equations in a box.
+
+    Args:
+        answer: The equations to judge.
+        reference: The equations they should be equal to.
+        scene: The box over all symbols.
+        unknowns: The symbols the systems are solved for.
+    """
+    if sorted(map(repr, answer)) == sorted(map(repr, reference)):
+        return EQUAL
+    sides = [[reduced(residual(one), frozenset(unknowns)) for one in side] for side in (reference, answer)]
+    with precision(BITS):
+        try:
+            pair = Systems(scene, sides, [scene.names.index(name) for name in unknowns])
+            return pair.by_dependence() or pair.by_zeros()
+        except TooMuchWork:
+            return UNDECIDED
+
+
+class Systems:
+    """The residuals of the reference and the answer over one scene."""
+
+    def __init__(self, scene: Scene, trees: Sequence[Sequence[Tree]], unknowns: Sequence[int]) -> None:
+        self.scene, self.trees, self.unknowns = scene, trees, unknowns
+        self.both = Residuals(scene, trees, Effort(SYSTEM_WORK))
+        self.sides = (Side(self.both, 0), Side(self.both, 1))
+
+    def by_dependence(self) -> Found | None:
+        """Tell whether the answer is a combination of the reference with factors free of the unknowns."""
+        count, tested = len(self.trees[0]), 0
+        points = list(exactly(self.scene.points))
+        for start in range(0, len(points) - count - 2):
+            rows = [self._values(points[start], points[start + k + 1]) for k in range(count + 2)]
+            kept = [row for row in rows if row is not None]
+            if len(kept) < len(rows):
+                if tested or start > 4:
+                    return None
+                continue
+            if not self._dependent(kept, count):
+                return None
+            tested += 1
+            if tested == DRAWS:
+                return EQUAL
+        return None
+
+    def _values(self, base: Sequence[arb], other: Sequence[arb]) -> list[arb] | None:
+        """Evaluate both sides at a point with the unknowns of another."""
+        point = list(base)
+        for at in self.unknowns:
+            point[at] = other[at]
+        found = [value for value in self.both.balls(point) if value is not None]
+        return found if len(found) == len(self.both.program.outputs) else None
+
+    def _dependent(self, rows: Sequence[Sequence[arb]], count: int) -> bool:
+        ours, theirs = ([row[:count] for row in rows], [row[count:] for row in rows])
+        try:
+            factors = arb_mat(ours[:count]).solve(arb_mat(theirs[:count]))
+        except ZeroDivisionError:
+            return False
+        if factors.det().contains(0):
+            return False
+        rest = arb_mat(ours[count:]) * factors - arb_mat(theirs[count:])
+        return all(value.contains(0) for value in rest.entries())
+
+    def by_zeros(self) -> Found:
+        """Find zeros of each and test the other there."""
+        shared = [0, 0]
+        sources = [self._zeros(0), self._zeros(1)]
+        for _ in range(ENOUGH):
+            for which, source in enumerate(sources):
+                zero = next(source, None)
+                if zero is None:
+                    continue
+                match beside(self.sides[1 - which], zero):
+                    case Beside.OTHER | Beside.UNDEFINED:
+                        return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
+                    case Beside.ZERO:
+                        shared[which] += 1
+                    case Beside.UNSURE:
+                        return UNDECIDED
+        return EQUAL if min(shared) >= ENOUGH else UNDECIDED
+
+    def _zeros(self, which: int) -> Iterator[Zero]:
+        """Give zeros of a side near points all over the box: all symbols move, the unknowns alone, or the others."""
+        side, used = self.sides[which], used_symbols(self.scene, self.trees[which])
+        others = [at for at in used if at not in self.unknowns]
+        moving = (used, self.unknowns, others)
+        for k, start in enumerate(self.starts):
+            zero = projected(side, start, moving[k % 3])
+            if zero is not None:
+                yield zero
+
+    @cached_property
+    def starts(self) -> list[list[float]]:
+        """Give points all over the box and in every branch."""
+        trees = [tree for side in self.trees for tree in side]
+        branches = branch_starts(self.scene, trees, self.both.effort)
+        return [*(start for start in branches for _ in range(3)), *islice(extreme(self.scene), STARTS)]

@@ -1,0 +1,214 @@
+"""Zeros of one residual along one symbol, enclosed in balls and proved by a change of sign of a continuous function."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from flint import arb
+
+from graders.solutions.scene import Side, moved
+
+NODES = 65
+DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
+NEAR, FAR = arb(2) ** -88, arb(2) ** -40  # of the range: where another residual is compared with its value at a zero
+TINY = arb(2) ** -150
+STEEP = arb(2) ** 20
+
+
+@dataclass(frozen=True, slots=True)
+class Zero:
+    """A zero: the point with balls for coordinates, and the symbols along which it was found."""
+
+    point: tuple[arb, ...]
+    free: tuple[int, ...]
+
+    def named(self, names: Sequence[str]) -> tuple[tuple[str, float], ...]:
+        """Give the point as a witness."""
+        return tuple((name, float(x)) for name, x in zip(names, self.point, strict=True))
+
+
+@dataclass(slots=True)
+class Line:
+    """One residual of a side along one symbol through a point of the box."""
+
+    side: Side
+    base: Sequence[float]
+    at: int
+    index: int = 0
+
+    def ball(self, x: arb) -> arb | None:
+        """Enclose the value at a place."""
+        return self.side.ball(moved([arb(c) for c in self.base], self.at, x), self.index)
+
+    def double(self, x: float) -> float:
+        """Give the value in doubles; NaN where it has none."""
+        values = self.side.doubles(moved(self.base, self.at, x))
+        return values[self.index] if values else math.nan
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Give the range of the symbol."""
+        return self.side.scene.ranges[self.at]
+
+    def zero(self, x: arb) -> Zero:
+        """Give the zero at a place."""
+        return Zero(tuple(moved([arb(c) for c in self.base], self.at, x)), (self.at,))
+
+
+@dataclass(frozen=True, slots=True)
+class Straight:
+    """What an affine residual shows along a symbol: its zero, if it has one inside the range."""
+
+    zero: Zero | None
+
+
+def straight(line: Line) -> Straight | None:
+    """Find the zero of a residual that is affine in the symbol; None where it is not affine."""
+    low, high = line.ends
+    width = high - low
+    if not width:
+        return None
+    one, two, between = (arb(low) + arb(width) * share for share in (0.23, 0.81, 0.57))
+    first, second = line.ball(one), line.ball(two)
+    if first is None or second is None:
+        return None
+    slope = (second - first) / (two - one)
+    middle = line.ball(between)
+    if middle is None or not negligible(first + slope * (between - one) - middle, (first, second, middle)):
+        return None
+    if slope.contains(0):
+        return Straight(None)
+    place = one - first / slope
+    return Straight(line.zero(place) if line.side.scene.inside(line.at, place) else None)
+
+
+def negligible(value: arb, beside: Sequence[arb]) -> bool:
+    """Tell whether a ball is zero beside others."""
+    return bool(value.contains(0) and value.abs_upper() <= TINY * max(other.abs_upper() for other in beside))
+
+
+def scanned(line: Line, nodes: int = NODES) -> Iterator[Zero]:
+    """Find the zeros of a residual along a symbol, also those it touches without a change of sign."""
+    low, high = line.ends
+    places = [low + (high - low) * k / (nodes - 1) for k in range(nodes)]
+    values = [line.double(x) for x in places]
+    for k in range(nodes - 1):
+        if values[k] * values[k + 1] < 0 or (values[k] == 0) != (values[k + 1] == 0):
+            yield from _between(line, (places[k], places[k + 1]), (values[k], values[k + 1]))
+        elif k and _dips(values[k - 1], values[k], values[k + 1]):
+            near = touching(line, places[k - 1], places[k + 1])
+            if near is not None:
+                yield near
+
+
+def _dips(before: float, here: float, after: float) -> bool:
+    """Tell a value that is least in size between two of its sign, and nearer to zero than to them."""
+    if not (before * here > 0 and here * after > 0 and abs(here) < abs(before) and abs(here) <= abs(after)):
+        return False
+    bend, slope = before - 2 * here + after, (after - before) / 2
+    return abs(here - slope * slope / (2 * bend)) < abs(here) / 2 or abs(here) < (abs(before) + abs(after)) / 8
+
+
+def _between(line: Line, ends: tuple[float, float], values: tuple[float, float]) -> Iterator[Zero]:
+    """Close in on a change of sign, then prove it."""
+    (a, b), (fa, fb) = ends, values
+    if fa == 0 or fb == 0:
+        near = proved(line, a if fa == 0 else b)
+        if near is not None:
+            yield near
+        return
+    for step in range(60):
+        x = (a + b) / 2 if step % 3 == 2 else (a * fb - b * fa) / (fb - fa)
+        value = line.double(x)
+        if not value or math.isnan(value) or not a < x < b:
+            break
+        if value * fa > 0:
+            a, fa = x, value
+        else:
+            b, fb = x, value
+        if b - a < 1e-13 * abs(ends[1] - ends[0]):
+            break
+    found = proved(line, x if a <= x <= b else (a + b) / 2)
+    if found is not None:
+        yield found
+
+
+def proved(line: Line, start: float) -> Zero | None:
+    """Polish a zero by secant steps in balls and prove it: opposite signs beside it, and no jump or pole there."""
+    low, high = line.ends
+    width = arb(high) - arb(low)
+    place = polished(line.ball, arb(start), width)
+    if place is None or not line.side.scene.inside(line.at, place):
+        return None
+    step = DELTA * width
+    left, right, further = line.ball(place - step), line.ball(place + step), line.ball(place - step * STEEP)
+    if left is None or right is None or further is None or left.contains(0) or right.contains(0):
+        return None
+    if (left > 0) == (right > 0) or not abs(further) > abs(left) * 64:
+        return None
+    enclosure = arb(place.mid(), step)
+    return line.zero(enclosure) if line.ball(enclosure) is not None else None
+
+
+def secant(line: Line, start: float) -> Zero | None:
+    """Polish a zero near a place; its last step is far below its distance from any other one that is told apart."""
+    low, high = line.ends
+    place = polished(line.ball, arb(start), arb(high) - arb(low))
+    if place is None or not line.side.scene.inside(line.at, place):
+        return None
+    return line.zero(arb(place.mid(), DELTA * (high - low)))
+
+
+def polished(function: Callable[[arb], arb | None], start: arb, width: arb) -> arb | None:
+    """Make secant steps from a place near a zero until they are tiny; None where they do not close in."""
+    one, two = start, start + width * arb(2) ** -50
+    first, second = function(one), function(two)
+    for _ in range(14):
+        if first is None or second is None:
+            return None
+        slope = (second - first).mid()
+        if slope == 0:
+            return two
+        step = (second.mid() * (two - one).mid() / slope).mid()
+        if abs(step) > width:
+            return None
+        one, first, two = two, second, (two - step).mid()
+        if abs(step) < TINY * TINY * width or abs(step) < arb(2) ** -190 * width:
+            return two
+        second = function(two)
+    return None
+
+
+def touching(line: Line, low: float, high: float) -> Zero | None:
+    """Find a zero that a residual touches: where its slope is zero, the value is zero to the last figure."""
+    width = arb(line.ends[1]) - arb(line.ends[0])
+    lowest = _lowest(line, low, high)
+    scale = max(abs(line.double(low)), abs(line.double(high)))
+    if not abs(line.double(lowest)) < 1e-6 * scale:
+        return None
+    step = width * arb(2) ** -70
+
+    def slope(x: arb) -> arb | None:
+        after, before = line.ball(x + step), line.ball(x - step)
+        return None if after is None or before is None else after - before
+
+    place = polished(slope, arb(lowest), width)
+    value = line.ball(place) if place is not None else None
+    if place is None or value is None or not value.contains(0) or value.abs_upper() > arb(2) ** -120 * scale:
+        return None
+    return line.zero(arb(place.mid(), NEAR * width)) if line.side.scene.inside(line.at, place) else None
+
+
+def _lowest(line: Line, low: float, high: float) -> float:
+    """Find the place of the least size by golden section."""
+    ratio = (math.sqrt(5) - 1) / 2
+    a, b = low, high
+    for _ in range(40):
+        one, two = b - ratio * (b - a), a + ratio * (b - a)
+        if abs(line.double(one)) < abs(line.double(two)):
+            b = two
+        else:
+            a = one
+    return (a + b) / 2

@@ -1,0 +1,134 @@
+"""Equations are equal when they have the same solutions, and a difference is proved at a witness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from graders.equality import Finding
+from graders.language.doubles import DOUBLES, UndefinedError, run
+from graders.language.program import Builder, Runner
+from graders.solutions.equations import Found, compare_equations
+from graders.solutions.scene import scene_of
+from tests.graders.effort import effort
+from tests.graders.solutions.boxes import RANGES, SCENE, relation
+
+EQUAL = [
+    ("a2", "l1*sin(a1) + l2*sin(a2) = e", "e - l1*sin(a1) = l2*sin(a2)"),
+    ("a2", "l1*sin(a1) + l2*sin(a2) = e", "2*e - 2*l1*sin(a1) - 2*l2*sin(a2) = 0"),
+    ("a2", "l1*sin(a1) + l2*sin(a2) = e", "a2 = asin((e - l1*sin(a1))/l2)"),
+    ("l3", "l1*cos(a1) + l2*cos(a2) = l3", "l3/l2 = cos(a2) + l1/l2*cos(a1)"),
+    ("l3", "l2^2 = (l3 - l1*cos(a1))^2 + (l1*sin(a1))^2", "l3^2 - 2*l1*l3*cos(a1) = l2^2 - l1^2"),
+    ("w2", "w2*l2*cos(a2) = -w1*l1*cos(a1)", "w2 = -w1*l1*cos(a1)/(l2*cos(a2))"),
+    ("x", "x = a", "x^2 = a^2"),
+    ("x", "sqrt(x + a) = x", "x + a = x^2"),
+    ("y", "y = a", "(y - a)^2 = 0"),
+    ("y", "y = a", "(y - a)^3*exp(y) = 0"),
+    ("y", "y = a", "y^2 - 2*a*y + a^2 = 0"),
+    ("y", "y = a", "-|y - a| = 0"),
+    ("y", "y = a", "sqrt(y - a) = 0"),
+    ("y", "y = a", "(y - a)/(y - b) = 0"),
+    ("y", "y = -a", "(y^2 - a^2)/(y - a) = 0"),
+    ("y", "y = a", "(y - a)^2/(y - a) = 0"),
+    ("y", "y = a", "sign(y - a) = 0"),
+    ("y", "y = a", "<y>^1 = a"),
+    ("y", "y = ln(a)", "exp(y) = a"),
+    ("y", "y*cos(a) = sin(a)", "y = tan(a)"),
+    ("y", "|y| = a", "y^2 = a^2"),
+    ("y", "(y - a)*(y - b) = 0", "y^2 - (a + b)*y + a*b = 0"),
+    ("y", "a = b", "2*a - 2*b = 0"),
+    ("y", "1e200*y = 1e200*a", "1e-200*y = 1e-200*a"),
+    ("y", "y^40 = a^40", "|y| = a"),
+]
+DIFFERENT = [
+    ("a2", "l1*sin(a1) + l2*sin(a2) = e", "l1*sin(a1) - l2*sin(a2) = e"),
+    ("a2", "l1*sin(a1) + l2*sin(a2) = e", "l1*sin(a1) + l2*cos(a2) = e"),
+    ("a2", "tan(a2) = -l1*sin(a1)/(l3 - l1*cos(a1))", "a2 = atan2(-l1*sin(a1); l3 - l1*cos(a1))"),
+    ("phi", "l1*sin(a1) + l2*sin(phi) = e", "phi = asin((e - l1*sin(a1))/l2)"),
+    ("l3", "l1*cos(a1) + l2*cos(a2) = l3", "l3 - l1*cos(a1) = l2*cos(a2)*(1 + 1e-9)"),
+    ("l3", "l1*cos(a1) + l2*cos(a2) = l3", "l3 - l1*cos(a1) = l2*cos(a2) + 1e-25"),
+    ("x", "x = a", "x = x"),
+    ("x", "x = a", "0 = 1"),
+    ("x", "x = a", "a = b"),
+    ("x", "x = a", "x = 1e12*a"),
+    ("y", "y = a", "y^2 = a^2"),
+    ("y", "y^2 - 2*a*y + a^2 = 0", "y = b"),
+    ("y", "(y^2 - 2*a*y + a^2)*(y - b) = 0", "y = b"),
+    ("y", "1/(y - b) = 0", "y = b"),
+    ("y", "(y^2 - a^2)/(y - a) = 0", "y^2 = a^2"),
+    ("y", "sqrt(y + a) = y", "y + a = y^2"),
+    ("y", "sin(y) = 0", "sin(2*y) = 0"),
+    ("y", "|y| = a", "y = a"),
+    ("y", "<y - a>^1 = 0", "y = a"),
+    ("y", "sign(y - a) = 1/2", "y = a"),
+    ("y", "y = |a - b|", "y = a - b"),
+    ("y", "(y - a)*(y - b) = 0", "y = a"),
+    ("y", "y*sqrt(y - b) = a*sqrt(y - b)", "y = a"),
+]
+
+
+def compared(unknown: str, reference: str, answer: str) -> Found:
+    return compare_equations(relation(answer), relation(reference), SCENE, unknown)
+
+
+@pytest.mark.parametrize(("unknown", "one", "other"), EQUAL)
+def test_the_same_solutions_are_equal_either_way(unknown: str, one: str, other: str) -> None:
+    assert compared(unknown, one, other).finding is Finding.EQUAL
+    assert compared(unknown, other, one).finding is Finding.EQUAL
+
+
+@pytest.mark.parametrize(("unknown", "one", "other"), DIFFERENT)
+def test_other_solutions_are_different_with_a_witness_that_solves_one_of_them(
+    unknown: str, one: str, other: str
+) -> None:
+    for reference, answer in ((one, other), (other, one)):
+        found = compared(unknown, reference, answer)
+        assert found.finding is Finding.DIFFERENT
+        point = dict(found.witness)
+        assert all(RANGES[name][0] - 1e-12 <= value <= RANGES[name][1] + 1e-12 for name, value in point.items())
+        assert solves(reference if found.lost else answer, point)
+
+
+def solves(text: str, point: Mapping[str, float]) -> bool:
+    """Tell in doubles whether the sides agree at a point, as far as rounding lets them."""
+    builder = Builder(list(point))
+    left, right = relation(text).sides
+    runner = Runner(builder.program(builder.add(left), builder.add(right)), DOUBLES)
+    try:
+        one, other = run(runner, list(point.values()))
+    except UndefinedError:
+        return False
+    return bool(abs(one - other) <= 1e-6 * max(1.0, abs(one), abs(other)))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("x^2 + 1 = 0", "x^2 + 2 = 0"), ("y = a + 5", "y = a + 6")],
+)
+def test_without_a_solution_in_the_box_nothing_is_proved(one: str, other: str) -> None:
+    assert compared("x", one, other).finding is Finding.UNDECIDED
+
+
+def test_both_sides_of_an_identity_and_of_the_same_text_are_equal() -> None:
+    assert compared("x", "x = x", "2*x = x + x").finding is Finding.EQUAL
+    assert compared("x", "x = a", "x = a").finding is Finding.EQUAL
+
+
+def test_the_points_are_the_secret_of_the_server() -> None:
+    scenes = [scene_of(["x", "a"], [(0, 2), (0.1, 1)], secret) for secret in (b"one", b"other", b"one")]
+    assert scenes[0].points == scenes[2].points != scenes[1].points
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("y = " + "+".join(f"sin({k}*y*a)" for k in range(1, 90)), "y = a"),
+        ("y = " + "^".join(["a"] * 40), "y = b"),
+        ("sin(" * 25 + "y" + ")" * 25 + " = a/9", "y = b"),
+        ("tan(1e9*y) = a", "tan(1e9*y) = a + 1e-9"),
+    ],
+)
+def test_a_hostile_equation_costs_little(one: str, other: str) -> None:
+    assert compared("y", one, other).finding in (Finding.DIFFERENT, Finding.UNDECIDED)
+    assert effort(lambda: compared("y", one, other)) < 0.1

@@ -1,0 +1,68 @@
+"""Inequalities are equal when they hold at the same points: inside, on the borders and between them."""
+
+from __future__ import annotations
+
+import pytest
+
+from graders.equality import Finding
+from graders.solutions.equations import Found
+from graders.solutions.inequalities import compare_inequalities
+from tests.graders.effort import effort
+from tests.graders.solutions.boxes import SCENE, relation
+
+EQUAL = [
+    ("y < a", "a > y"),
+    ("y < a", "2*y - 2*a < 0"),
+    ("0 < y <= a", "a >= y > 0"),
+    ("0 < y < a", "y*(a - y) > 0"),
+    ("0 <= y <= a", "y*(y - a) <= 0"),
+    ("|y| < a", "-a < y < a"),
+    ("|y| < a", "y^2 < a^2"),
+    ("y^2 >= 0", "1 > 0"),
+    ("y^2 + 1 > 0", "y^2 + 2 > 0"),
+    ("l1 + l2 < r3 + l4", "l2 < r3 + l4 - l1"),
+    ("sqrt(y) < a", "0 <= y < a^2"),
+    ("ln(y) > 0", "y > 1"),
+    ("y/a > b", "y > a*b"),
+    ("y/(y - a) > 0", "y*(y - a) > 0"),
+    ("y < a < y + 1", "a - 1 < y < a"),
+    ("sin(y) > 0", "0 < y < pi"),
+]
+DIFFERENT = [
+    ("y < a", "y <= a"),
+    ("y < a", "y < a*(1 + 1e-9)"),
+    ("y <= a", "y < a + 1e-30"),
+    ("y < a", "y > a"),
+    ("0 < y < a", "y > 0"),
+    ("0 < y <= a", "0 < y < a"),
+    ("|y| <= a", "y^2 < a^2"),
+    ("|y| < a", "y < a"),
+    ("(y - a)^2 > 0", "1 > 0"),
+    ("y < a", "0 < 1"),
+    ("l1 + l2 <= r3 + l4", "l1 + l2 < r3 + l4"),
+    ("sqrt(y) < a", "y < a^2"),
+    ("1/y < a", "1 < a*y"),
+    ("max(y; z) < a", "y < a"),
+]
+
+
+def compared(reference: str, answer: str) -> Found:
+    return compare_inequalities(relation(answer), relation(reference), SCENE)
+
+
+@pytest.mark.parametrize(("one", "other"), EQUAL)
+def test_the_same_region_is_equal_either_way(one: str, other: str) -> None:
+    assert compared(one, other).finding is compared(other, one).finding is Finding.EQUAL
+
+
+@pytest.mark.parametrize(("one", "other"), DIFFERENT)
+def test_another_region_is_different_with_a_witness(one: str, other: str) -> None:
+    found, back = compared(one, other), compared(other, one)
+    assert found.finding is back.finding is Finding.DIFFERENT
+    assert found.witness and found.lost is not back.lost
+
+
+def test_a_hostile_inequality_costs_little() -> None:
+    long = "y < " + "+".join(f"asin(y/{k} + a)" for k in range(2, 100))
+    back = "y < " + "+".join(f"asin(a + y/{k})" for k in range(99, 1, -1))
+    assert effort(lambda: compared(long, back)) < 0.1
