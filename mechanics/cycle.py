@@ -1,4 +1,4 @@
-"""A mechanism followed along the values of its driver in one assembly, up to a dead position.
+"""A mechanism followed along the values of its driver in one assembly, up to a dead position (domain VP-1).
 
 The sign of the determinant of the equations tells the two assemblies apart that meet in a dead position: it can change
 only there. So a step is taken only if it keeps the sign and turns no body far; otherwise it is halved.

@@ -1,5 +1,6 @@
-"""What a graphical method draws, as plain numbers: named points, vectors and auxiliary lines. No figure is made here.
+"""What a graphical method draws, as plain numbers: named points, vectors and auxiliary lines (domain VM-1 to VM-6).
 
+No figure is made here.
 Points of a mechanism are in metres; a vector is drawn in a scale, so many metres for its unit.
 """
 

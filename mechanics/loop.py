@@ -1,4 +1,4 @@
-"""Zeros of a smooth function on a closed loop, tangencies included: its values are sampled once around."""
+"""Zeros of a smooth function on a closed loop, tangencies included, from samples once around (domain HC-2)."""
 
 from __future__ import annotations
 

@@ -203,7 +203,7 @@ def six_bar_motion(
     mode: Literal["C_left_of_BD", "C_right_of_BD"] = "C_left_of_BD",
     dyad_mode: Literal["Q_left_of_PG", "Q_right_of_PG"] = "Q_left_of_PG",
 ) -> Motion:
-    """Move a four-bar with a dyad on its coupler: 1 to 3 as in the four-bar, 4 link PQ from P, 5 link GQ from G.
+    """Move a four-bar with a dyad on its coupler: 1 to 3 as in the four-bar, 4 link PQ from P, 5 GQ (domain STR-8).
 
     Args:
         bars: l1 to l4, in metres.
