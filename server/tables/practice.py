@@ -1,47 +1,10 @@
-"""The tables of the store. `migrations/` builds them; a test compares the two."""
+"""Owners, variants, submissions that never change, their grades, settings of the server."""
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
-from typing import Any
+from sqlalchemy import JSON, BigInteger, Boolean, Column, ForeignKey, Index, Integer, String, Table, UniqueConstraint
 
-from sqlalchemy import (
-    JSON,
-    BigInteger,
-    Boolean,
-    Column,
-    DateTime,
-    Dialect,
-    ForeignKey,
-    Index,
-    Integer,
-    MetaData,
-    String,
-    Table,
-    TypeDecorator,
-    UniqueConstraint,
-)  # fmt: skip
-
-
-class Moment(TypeDecorator[datetime]):
-    """A moment in UTC, also where the database knows no time zones."""
-
-    impl = DateTime(timezone=True)
-    cache_ok = True
-
-    def process_result_value(self, value: Any, dialect: Dialect) -> Any:
-        """Give a moment that knows its zone."""
-        return value if value is None or value.tzinfo else value.replace(tzinfo=UTC)
-
-
-metadata = MetaData(
-    naming_convention={
-        "pk": "pk_%(table_name)s",
-        "fk": "fk_%(table_name)s_%(column_0_name)s",
-        "uq": "uq_%(table_name)s_%(column_0_N_name)s",
-        "ix": "ix_%(table_name)s_%(column_0_N_name)s",
-    }
-)
+from server.tables.base import Moment, counted, metadata
 
 settings = Table(
     "settings", metadata,
@@ -87,11 +50,13 @@ submissions = Table(
 
 grades = Table(
     "grades", metadata,
-    Column("id", BigInteger().with_variant(Integer, "sqlite"), primary_key=True, autoincrement=True),
+    counted(),
     Column("submission", ForeignKey("submissions.receipt"), nullable=False),
     Column("grader_version", String(32), nullable=False),
     Column("grade", JSON, nullable=False),
     Column("counted", Boolean, nullable=False),
     Column("time", Moment, nullable=False),
+    Column("reason", String(200)),
+    Column("job", String(32)),
     Index(None, "submission"),
 )  # fmt: skip
