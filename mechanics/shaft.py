@@ -104,14 +104,14 @@ def solve(shaft: Shaft) -> ShaftResult:
     reactions, torques = _torques(shaft, places, twists)
     pieces = tuple(map(_piece, pairwise(places), rings, torques, twists))
     phi = _rotations(shaft, places, [piece.twist for piece in pieces])
-    finite("the sum of the answers", fsum(turn.phi for turn in phi) + sum(piece.tau_max for piece in pieces), "")
+    finite("the sum of the answers", sum([turn.phi for turn in phi]) + sum([piece.tau_max for piece in pieces]), "")
     return ShaftResult(
         reactions,
         pieces,
         phi,
-        max(abs(piece.T) for piece in pieces),
-        max(piece.tau_max for piece in pieces),
-        _design(shaft, places),
+        max([abs(piece.T) for piece in pieces]),
+        max([piece.tau_max for piece in pieces]),
+        _design(shaft, places, torques),
     )
 
 
@@ -162,15 +162,16 @@ def _rotations(shaft: Shaft, places: Sequence[float], twists: Sequence[float]) -
     return tuple(map(Turn, places, turns))
 
 
-def _design(shaft: Shaft, places: Sequence[float]) -> Design | None:
+def _design(shaft: Shaft, places: Sequence[float], torques: Sequence[float]) -> Design | None:
     """Size the uniform shaft; fixed at both ends it shares the torques by lengths alone."""
     tau, theta = shaft.tau_allow, shaft.theta_allow_rad_per_m
-    _, torques = _torques(shaft, places, [right - left for left, right in pairwise(places)])
+    if tau is None and theta is None:
+        return None
+    if shaft.support == "fixed_fixed":
+        _, torques = _torques(shaft, places, [right - left for left, right in pairwise(places)])
     T = max(map(abs, torques))
     strength = None if tau is None else required_diameter_strength(T, tau, shaft.design_bore_ratio)
     stiffness = None if theta is None else required_diameter_stiffness(T, shaft.G, theta, shaft.design_bore_ratio)
-    if strength is None and stiffness is None:
-        return None
     return Design(strength, stiffness, max(strength or 0.0, stiffness or 0.0))
 
 

@@ -2,13 +2,15 @@
 (domain SM-11).
 
 The state (v EI/L^3, theta EI/L^2, M/L, V) is in newtons and lengths are in parts of L. On the way it is
-base + p1 c1 + p2 c2 with two unknown parameters: the left end leaves v and theta free, every later condition settles
-one parameter and frees the quantity that jumps there instead. The parameter that stays is rewritten as a quantity of
-the state at that place. So no more than two unknowns live at once, and they never grow along many spans.
+base + p1 c1 + p2 c2 with two unknown parameters: the left end leaves two quantities free, every condition on the way
+settles one parameter and frees the quantity that jumps there instead, the right end settles both. The parameter that
+stays is rewritten as a quantity of the state at that place. So no more than two unknowns live at once, and they never
+grow along many spans.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from mechanics.errors import SingularError
@@ -21,6 +23,8 @@ DEFLECTION, SLOPE, MOMENT, SHEAR = range(4)
 # How the parameters before a condition follow from those after it: which one was settled (the second, if true),
 # settled = constant + factor * kept, kept before = (kept after - shift)/scale.
 _Settled = tuple[bool, float, float, float, float]
+
+_Condition = tuple[int, float]  # a quantity of the state and its value
 
 _UNITS: tuple[State, ...] = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
@@ -54,20 +58,38 @@ def carry(state: State, h: float, w: float, k: float) -> State:
 
 
 def sweep(stations: list[Station], stretches: list[Stretch]) -> list[State]:
-    """Find the state at the left end of every stretch.
+    """Find the state at the left end of every stretch; there is no hinge at either end.
 
     Raises:
         SingularError: A condition cannot settle any parameter.
     """
-    line = _Line()
+    line = _begun(stations[0])
     try:
-        for index, station in enumerate(stations):
-            _jump(line, station)
-            if index < len(stretches):
-                line.advance(*stretches[index])
-        return line.trace_back()
+        for stretch, station in zip(stretches, stations[1:], strict=True):
+            line.advance(*stretch)
+            if station is not stations[-1]:
+                _jump(line, station)
+        return line.trace_back(_conditions(stations[-1]))
     except ZeroDivisionError:
         raise SingularError("a condition at a support, a hinge or the end of the beam settles nothing") from None
+
+
+def _begun(station: Station) -> _Line:
+    """At the left end the parameters are what it leaves free."""
+    if station.fixed:
+        return _Line((station.settlement, 0.0, 0.0, 0.0), _UNITS[MOMENT], _UNITS[SHEAR])
+    if station.held:
+        return _Line((station.settlement, 0.0, -station.couple, 0.0), _UNITS[SLOPE], _UNITS[SHEAR])
+    return _Line((0.0, 0.0, -station.couple, station.force), _UNITS[DEFLECTION], _UNITS[SLOPE])
+
+
+def _conditions(station: Station) -> tuple[_Condition, _Condition]:
+    """What the right end holds, or the loads that stand there."""
+    if station.fixed:
+        return (DEFLECTION, station.settlement), (SLOPE, 0.0)
+    if station.held:
+        return (DEFLECTION, station.settlement), (MOMENT, station.couple)
+    return (MOMENT, station.couple), (SHEAR, -station.force)
 
 
 def _jump(line: _Line, station: Station) -> None:
@@ -86,16 +108,19 @@ def _jump(line: _Line, station: Station) -> None:
 class _Line:
     """The sweep under way; it notes what it passes, so that it can be traced back."""
 
-    base: State = (0.0, 0.0, 0.0, 0.0)
-    first: State = _UNITS[DEFLECTION]
-    second: State = _UNITS[SLOPE]
+    base: State
+    first: State
+    second: State
     settled: list[_Settled] = field(default_factory=list)
     starts: list[tuple[int, State, State, State]] = field(default_factory=list)
 
     def advance(self, h: float, w: float, k: float) -> None:
         self.starts.append((len(self.settled), self.base, self.first, self.second))
         self.base = carry(self.base, h, w, k)
-        self.first, self.second = _drifted(self.first, h), _drifted(self.second, h)
+        v, theta, M, V = self.first
+        self.first = (v + h * (theta + h * (M / 2 + h * V / 6)), theta + h * (M + h * V / 2), M + h * V, V)
+        v, theta, M, V = self.second
+        self.second = (v + h * (theta + h * (M / 2 + h * V / 6)), theta + h * (M + h * V / 2), M + h * V, V)
 
     def impose(self, quantity: int, value: float, released: int) -> None:
         """Settle one parameter by state[quantity] = value; state[released] becomes a parameter in its place."""
@@ -107,24 +132,26 @@ class _Line:
         base, column = _added(self.base, constant, pivot), _added(kept, factor, pivot)
         base[quantity], column[quantity] = value, 0.0
         base[released] = column[released] = 0.0
-        scale = max(column, key=abs)
-        shift = base[column.index(scale)]
+        largest = _largest(column)
+        scale, shift = column[largest], base[largest]
         a, b, c, d = column
         kept = (a / scale, b / scale, c / scale, d / scale)
-        a, b, c, d = _added((base[0], base[1], base[2], base[3]), -shift, kept)
+        a, b, c, d = _added(base, -shift, kept)
         self.base = (a, b, c, d)
         self.settled.append((swapped, constant, factor, shift, scale))
         self.first, self.second = (kept, _UNITS[released]) if swapped else (_UNITS[released], kept)
 
-    def free_end(self) -> tuple[float, float]:
-        """Solve V = 0 and M = 0 beyond the right end for the two parameters."""
-        (_, _, M, V), (_, _, M1, V1), (_, _, M2, V2) = self.base, self.first, self.second
-        determinant = M1 * V2 - M2 * V1
-        return (M2 * V - M * V2) / determinant, (M * V1 - M1 * V) / determinant
+    def closed(self, conditions: tuple[_Condition, _Condition]) -> tuple[float, float]:
+        """Solve the conditions at the right end for the two parameters."""
+        (i, value), (j, target) = conditions
+        value, target = value - self.base[i], target - self.base[j]
+        a, b, c, d = self.first[i], self.second[i], self.first[j], self.second[j]
+        determinant = a * d - b * c
+        return (value * d - b * target) / determinant, (a * target - value * c) / determinant
 
-    def trace_back(self) -> list[State]:
+    def trace_back(self, conditions: tuple[_Condition, _Condition]) -> list[State]:
         """Go back to the left end with the parameters known."""
-        first, second = self.free_end()
+        first, second = self.closed(conditions)
         found: list[State] = []
         for count, base, one, two in reversed(self.starts):
             while len(self.settled) > count:
@@ -137,13 +164,13 @@ class _Line:
         return found
 
 
-def _drifted(state: State, h: float) -> State:
-    """Carry an unloaded state."""
-    v, theta, M, V = state
-    return v + h * (theta + h * (M / 2 + h * V / 6)), theta + h * (M + h * V / 2), M + h * V, V
+def _largest(column: list[float]) -> int:
+    """Where the entry of the largest magnitude stands."""
+    sizes = [abs(column[0]), abs(column[1]), abs(column[2]), abs(column[3])]
+    return sizes.index(max(sizes))
 
 
-def _added(state: State, factor: float, other: State) -> list[float]:
+def _added(state: Sequence[float], factor: float, other: State) -> list[float]:
     a, b, c, d = state
     e, f, g, h = other
     return [a + factor * e, b + factor * f, c + factor * g, d + factor * h]

@@ -18,7 +18,7 @@ def test_state_is_integrated_exactly() -> None:
     [
         [Station(0.0), Station(1.0, force=-1.0)],
         [Station(0.0, held=True), Station(1.0)],
-        [Station(0.0, held=True, hinge=True), Station(1.0, held=True)],
+        [Station(0.0), Station(1.0, held=True)],
     ],
 )
 def test_condition_that_settles_nothing_is_refused(stations: list[Station]) -> None:
