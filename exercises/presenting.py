@@ -15,7 +15,7 @@ from exercises.words import Printed, Words, fill, html, indexed, inline, plain, 
 from figures.picture import Picture
 from graders import Quantity, Value
 from graders.language import parse_line
-from graders.language.mathml import mathml_of, symbol_mathml
+from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
 from graders.units import read_unit
 from graders.words import decimal, tolerance
@@ -104,7 +104,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         kind=grader.kind,
         prompt_html=inline(prompt),
         prompt_text=plain(prompt),
-        symbol_mathml=symbol_mathml(solved.step_of(name)),
+        symbol_mathml=_symbol(solved.step_of(name)),
         unit=described.get("unit", ""),
         unit_text=printed_unit(described.get("unit", ""), lang),
         symbols=tuple(sorted(symbols, key=lambda s: (s not in numbers(solved.variant.givens), s))),
@@ -117,6 +117,11 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
     )
+
+
+def _symbol(step: str) -> str:
+    """Write the symbol of a step; a step that is named by a word has none."""
+    return symbol_mathml(step) if len(split_symbol(step)[0]) <= 2 else ""
 
 
 def _rule(described: Mapping[str, Any], lang: str) -> dict[str, Any]:

@@ -100,7 +100,8 @@ def tolerance(description: Mapping[str, Any], lang: str) -> str:
         return str(words["entries"]).format(percent=relative)
     if not atol:
         return str(words["relative"]).format(percent=relative)
-    return str(words["both"]).format(percent=relative, least=decimal(atol, lang), unit=unit)
+    gap = "" if unit in ("", "°") else "\u202f"
+    return str(words["both"]).format(percent=relative, least=decimal(atol, lang) + gap + unit)
 
 
 def _tolerances(components: Sequence[Mapping[str, Any]], lang: str) -> str:

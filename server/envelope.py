@@ -44,8 +44,9 @@ class Envelope:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        scope["request_id"] = f"r-{secrets.token_hex(5)}"
-        sealed = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]})
+        head = scope["method"] == "HEAD"  # answered as GET, without the body
+        scope = {**scope, "request_id": f"r-{secrets.token_hex(5)}"} | ({"method": "GET"} if head else {})
+        sealed = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]}, head)
         try:
             await self._app(scope, bounded(Headers(scope=scope), receive), sealed)
         except Exception:  # nothing of ours may reach the reader but its number
@@ -58,9 +59,10 @@ class Envelope:
 class Sealed:
     """Sends a response with our headers; what is made for one reader is not stored on its way."""
 
-    def __init__(self, send: Send, headers: dict[str, str]) -> None:
+    def __init__(self, send: Send, headers: dict[str, str], head: bool = False) -> None:
         self._send = send
         self._headers = headers
+        self._head = head
         self.begun = False
 
     async def __call__(self, message: Message) -> None:
@@ -70,6 +72,8 @@ class Sealed:
             headers = MutableHeaders(scope=message)
             headers.update(self._headers)
             headers.setdefault("Cache-Control", "no-store")
+        elif self._head:
+            message = {**message, "body": b""}
         await self._send(message)
 
 

@@ -92,11 +92,14 @@ def _first(problem: Mapping[str, Any]) -> Refused:
     code = KINDS.get(problem["type"], "wrong_type")
     if code == "malformed_json":
         return Refused(422, code, position=problem["loc"][-1])
-    field = ".".join(_printable(part) for part in problem["loc"][1:3]) or None  # deeper parts name types
-    return Refused(422, code, field=field, name=field or "")
+    field = ".".join(printable(part) for part in problem["loc"][1:3]) or None  # deeper parts name types
+    if field is None:
+        return Refused(422, "no_object")
+    return Refused(422, code, field=field, name=field)
 
 
-def _printable(part: object) -> str:
+def printable(part: object) -> str:
+    """Give what somebody sent in a form that can be shown: not too long, nothing invisible."""
     return "".join(sign if sign.isprintable() else "\ufffd" for sign in str(part)[:80])
 
 

@@ -16,7 +16,7 @@ from graders.verdict import Entries, Reading
 from graders.words import message
 from server import ids
 from server.bench import Bench, Tools
-from server.errors import Failure, Refused, unknown_variant
+from server.errors import Failure, Refused, printable, unknown_variant
 from server.policy import may_answer, may_see_submission
 from server.reader import Asking, Reader, admit
 from server.storage import Answers, Handed, Marked
@@ -121,7 +121,7 @@ async def submit(
     try:
         grade = await bench.judging.grade(Submission(restored(dealt), _texts(answers)), bench.secret)
     except grading.UnknownAnswer as error:
-        raise Refused(422, "unknown_answer", field=f"answers.{error}"[:100], name=str(error)[:40]) from None
+        raise Refused(422, "unknown_answer", field=f"answers.{printable(error)}", name=printable(error)) from None
     handed = _handed(dealt.id, dealt.owner.id, answers, key, body, reader.language)
     marked = Marked(handed, GRADE.dump_python(grade, mode="json"), grade.counted, grade.grader_version)
     return await bench.storage.keep_submission(marked)

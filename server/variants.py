@@ -21,7 +21,7 @@ from graders.verdict import Reading
 from graders.words import message, noted
 from server import ids
 from server.bench import Bench, Tools
-from server.errors import Failure, Refused, unknown_variant
+from server.errors import Failure, Refused, printable, unknown_variant
 from server.exercises import known
 from server.policy import may_see_solution, may_see_variant
 from server.reader import Asking, Reader, admit, remember, welcome
@@ -266,7 +266,7 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
     try:
         read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text, language != "en")
     except grading.UnknownAnswer:
-        raise Refused(422, "unknown_answer", field="answer", name=answer[:40]) from None
+        raise Refused(422, "unknown_answer", field="answer", name=printable(answer)) from None
     if isinstance(read, Verdict):
         position = read.details.position if isinstance(read.details, Reading) else None
         return Understood(ok=False, code=read.code, message=message(read, language), position=position)

@@ -12,10 +12,10 @@ from graders.chain.motion import Agreement, Motion, agreement
 from graders.chain.slips import flaw, judged
 from graders.chain.table import FINE, Table, rounded
 from graders.judge import Echo, Samples
+from graders.kinds.matrix import read_grid
 from graders.language.doubles import UndefinedError
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.mathml import mathml_of
-from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, children, names, walk
@@ -134,9 +134,9 @@ def _read(text: str, symbols: Symbols) -> Tree:
     """Read a matrix; lines without brackets are its rows."""
     lines = text.strip().split("\n")
     if len(lines) < 2 or "[" in text or "\\" in text:
-        return parse(text, symbols)
+        return read_grid(text, symbols)
     try:
-        return parse("[[" + "],[".join(lines) + "]]", symbols)
+        return read_grid("[[" + "],[".join(lines) + "]]", symbols)
     except AnswerSyntaxError as error:
         lead = len(text) - len(text.lstrip())
         before, place = 0, error.position - 2

@@ -12,6 +12,7 @@ from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.latex_reader import is_latex
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
@@ -57,7 +58,7 @@ class Matrix:
 
     def parse(self, text: str, symbols: Symbols) -> Typed:
         """Read `[[1; 0], [0; 1]]` or `[1, 0; 0, 1]`; entries may be constant expressions such as `cos(30°)`."""
-        tree = parse(text, symbols)
+        tree = read_grid(text, symbols)
         if isinstance(tree, Relation) and tree.operators == ("=",):
             tree = tree.sides[1]
         if not isinstance(tree, Grid):
@@ -129,6 +130,26 @@ class Matrix:
         """Give shape, tolerance and units of the field."""
         units = {"units": list(self.units)} if self.units else {}
         return {"rows": self.rows, "columns": self.columns, "rtol": self.rtol, **units}
+
+
+def read_grid(text: str, symbols: Symbols) -> Tree:
+    """Read a text that should be a matrix; an entry left empty is told by its row and column."""
+    try:
+        return parse(text, symbols)
+    except AnswerSyntaxError as error:
+        place = error.position
+        if error.reason is not Reason.NEEDS_OPERAND or is_latex(text) or text[place : place + 1] not in (";", ",", "]"):
+            raise
+        row, column = _entry_at(text[:place])
+        raise AnswerSyntaxError(Reason.MISSING_ENTRY, place, f"({row}, {column})") from None
+
+
+def _entry_at(before: str) -> tuple[int, int]:
+    """Give the row and column of the entry behind a text."""
+    if before.count("[") > 1:
+        row, entries = before.count("]"), before.rpartition("[")[2]
+        return row + 1, (entries.count(";") or entries.count(",")) + 1
+    return before.count(";") + 1, before.rpartition(";")[2].count(",") + 1
 
 
 def _scale(rows: Rows) -> float:

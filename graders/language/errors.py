@@ -29,6 +29,7 @@ class Reason(StrEnum):
     AMBIGUOUS_ARGUMENT = "ambiguous_argument"
     AMBIGUOUS_FRACTION = "ambiguous_fraction"
     INVERSE_OR_RECIPROCAL = "inverse_or_reciprocal"
+    MISSING_ENTRY = "missing_entry"
     RAGGED_MATRIX = "ragged_matrix"
     WRONG_SHAPE = "wrong_shape"
     NOT_A_NUMBER = "not_a_number"

@@ -12,6 +12,7 @@ from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number
 LETTERS = {name: letter for letter, name in reversed(GREEK.items())} | {"mu": "μ", "Omega": "Ω", "Delta": "Δ"}
 PARTS = re.compile(r"([A-Za-z]+?)_?(\d+|_?[A-Za-z]{1,3})?(_dd?)?('*)$")
 OPERATORS = {"*": "·", "-": "−", "+": "+", "<": "&lt;", ">": "&gt;", "<=": "≤", ">=": "≥", "=": "="}
+PRINTED = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "acot": "arccot"}
 GAP = '<mspace width=".17em"/>'
 
 
@@ -128,6 +129,7 @@ def _call(function: str, arguments: tuple[Tree, ...], comma: bool) -> str:
     if function == "macaulay":
         return f"<msup><mrow><mo>⟨</mo>{_row(arguments[0], comma)}<mo>⟩</mo></mrow>{_row(arguments[1], comma)}</msup>"
     inside = "<mo>;</mo>".join(_row(a, comma) for a in arguments)
+    name = PRINTED.get(function, function)
     if len(arguments) == 1 and level(arguments[0]) == ATOM and not isinstance(arguments[0], Call):
-        return f"<mi>{function}</mi>{GAP}{inside}"
-    return f"<mi>{function}</mi><mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"
+        return f"<mi>{name}</mi>{GAP}{inside}"
+    return f"<mi>{name}</mi><mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"

@@ -508,7 +508,7 @@ def test_an_unreadable_answer_is_worded_with_its_place_and_proposal(lang: str) -
 @pytest.mark.parametrize(("lang", "shown"), [("pl", "±0,5 %"), ("en", "±0.5 %"), ("ru", "±0,5 %")])
 def test_the_tolerance_at_a_field_is_made_from_its_rule(lang: str, shown: str) -> None:
     assert tolerance(Quantity("mm").describe(), lang) == shown
-    assert "0,01 mm" in tolerance(Quantity("mm", atol=1e-5).describe(), "pl")
+    assert "0,01\u202fmm" in tolerance(Quantity("mm", atol=1e-5).describe(), "pl")
     assert tolerance(Integer().describe(), lang) == ""
     assert tolerance(Rational().describe(), lang) == locale(lang)["tolerance"]["exact"]
     assert "0" in tolerance(Matrix(4, 4).describe(), lang)
@@ -539,3 +539,15 @@ def test_an_echo_has_the_decimal_mark_of_the_reader() -> None:
     answer = judge.parse("12.5", NOTHING)
     assert "<mn>12,5</mn>" in judge.echo(answer, comma=True).mathml
     assert "<mn>12.5</mn>" in judge.echo(answer).mathml
+
+
+@pytest.mark.parametrize(
+    ("unit", "atol", "shown"),
+    [
+        ("°", 0.1, "±0,5 %, co najmniej ±0,1°"),
+        ("", 0.001, "±0,5 %, co najmniej ±0,001"),
+        ("kN", 2.0, "±0,5 %, co najmniej ±2\u202fkN"),
+    ],
+)
+def test_a_tolerance_is_printed_with_its_unit_as_a_number_is(unit: str, atol: float, shown: str) -> None:
+    assert tolerance({"rtol": 0.005, "atol": atol, "unit": unit}, "pl") == shown

@@ -6,7 +6,8 @@ from math import pi
 
 import pytest
 
-from graders import Code, Matrix, Symbols
+from graders import AnswerSyntaxError, Code, Matrix, Symbols
+from graders.language import Reason
 
 NOTHING = Symbols(())
 TABLE = Matrix(2, 2, units=("deg", "mm"))
@@ -33,6 +34,23 @@ def test_a_bare_number_is_read_in_the_unit_of_its_column(typed: str) -> None:
 @pytest.mark.parametrize("typed", ["[[pi/6; 450], [-pi/4; 0]]", "[[30; 0.45], [-45; 0]]", "[[30; 450], [45; 0]]"])
 def test_a_number_in_another_unit_or_of_another_sign_is_not_right(typed: str) -> None:
     assert judged(typed) is not Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("typed", "place", "entry"),
+    [
+        ("[[30; 450], [-45; ]]", 18, "(2, 2)"),
+        ("[[; 450], [-45; 0]]", 2, "(1, 1)"),
+        ("[[0,5; ], [; ]]", 7, "(1, 2)"),
+        ("[[30, 450], [, 0]]", 13, "(2, 1)"),
+        ("[30; ; 5]", 5, "(2, 1)"),
+    ],
+)
+def test_an_empty_entry_is_told_by_row_and_column(typed: str, place: int, entry: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        TABLE.parse(typed, NOTHING)
+    error = refused.value
+    assert (error.reason, error.position, error.proposal.found) == (Reason.MISSING_ENTRY, place, entry)
 
 
 def test_a_degree_sign_changes_nothing_in_a_column_of_lengths() -> None:

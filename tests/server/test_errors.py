@@ -35,10 +35,11 @@ def failure(reply: Any) -> dict[str, Any]:
 VALUES = ("3", "true", "NaN", "null", "{}", "[1]")
 BODIES: list[tuple[str | bytes, str, str | None]] = [
     ("{", "malformed_json", None),
-    ("", "missing_field", None),
     ("[" * 60_000, "malformed_json", None),
     (b"\xff\xfe{}", "malformed_json", None),
-    ("[]", "wrong_type", None),
+    ("[]", "no_object", None),
+    ("", "no_object", None),
+    ('"answers"', "no_object", None),
     ("{}", "missing_field", "answers"),
     ('{"answers": []}', "wrong_type", "answers"),
     *((f'{{"answers": {{"l3": {value}}}}}', "wrong_type", "answers.l3") for value in VALUES),
@@ -47,6 +48,7 @@ BODIES: list[tuple[str | bytes, str, str | None]] = [
     ('{"answers": {}, "score": 1}', "extra_field", "score"),
     ('{"answers": {"zz": "1"}}', "unknown_answer", "answers.zz"),
     ('{"answers": {"": "1"}}', "unknown_answer", "answers."),
+    ('{"answers": {"l3\\u0000": "1"}}', "unknown_answer", "answers.l3\ufffd"),
 ]
 
 
@@ -82,6 +84,15 @@ def test_a_seed_that_is_none_is_refused(client: TestClient, seed: str) -> None:
 def test_what_is_not_there_is_not_found(client: TestClient, path: str, code: str) -> None:
     found = failure(client.get(path))
     assert (found["status"], found["code"]) == (404, code)
+
+
+@pytest.mark.parametrize(("path", "status"), [("/health", 200), ("/", 200), ("/static/mark.svg", 200), ("/no", 404)])
+def test_a_look_at_the_headers_is_answered_like_the_page_without_its_body(
+    client: TestClient, path: str, status: int
+) -> None:
+    whole, bare = client.get(path), client.head(path)
+    assert (whole.status_code, bare.status_code, bare.content) == (status, status, b"")
+    assert bare.headers["content-type"] == whole.headers["content-type"]
 
 
 def test_another_method_is_refused(client: TestClient) -> None:

@@ -12,7 +12,7 @@ from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from graders.language import AnswerSyntaxError, Reason, Symbols, Tree, parse
+from graders.language import AnswerSyntaxError, Reason, Symbols, Tree, parse, parse_line
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import DOUBLES, UndefinedError, line_runner, run
 from graders.language.latex import latex_of
@@ -162,6 +162,12 @@ def test_a_name_in_the_wrong_case_is_proposed_in_the_right_one() -> None:
 def test_names_that_mean_something_to_a_computer_algebra_system_are_plain_symbols(name: str) -> None:
     tree = parse(f"2*{name}", Symbols([name]))
     assert names(tree) == {name}
+
+
+@pytest.mark.parametrize("function", ["sin", "cos", "tan"])
+def test_an_inverse_function_is_shown_by_its_full_name(function: str) -> None:
+    shown = mathml_of(parse_line(f"a{function}(0.2) + {function}(x)"))
+    assert f"<mi>arc{function}</mi>" in shown and f"<mi>{function}</mi>" in shown
 
 
 def test_symbols_that_cannot_be_told_apart_are_refused() -> None:
