@@ -100,6 +100,16 @@ def _power(base: arb, exponent: arb) -> arb:
     return _clamped(base) ** exponent if exponent > 0 else _positive(base) ** exponent
 
 
+def _whole_power(base: arb, power: int) -> arb:
+    """Raise to a whole power from 0; one of a ball around zero is a product, for `**` is not sure of it."""
+    if not base.contains(0):
+        return base**power
+    found = arb(1)
+    for digit in f"{power:b}":
+        found = found * found * base if digit == "1" else found * found
+    return found
+
+
 def _positive(base: arb) -> arb:
     if base <= 0:
         raise UndefinedError("a power of a number that is not positive")
@@ -134,7 +144,7 @@ BALLS = Arithmetic(
     {
         "+": operator.add, "-": operator.sub, "*": operator.mul, "/": _divide, "^": _power,
         "negate": operator.neg, "degrees": lambda x: x * arb.pi() / 180, "pi": arb.pi,
-        "integer_power": lambda base, n: base**n,
+        "integer_power": _whole_power,
         "sin": arb.sin, "cos": arb.cos, "tan": arb.tan, "cot": arb.cot,
         "asin": lambda x: _inside_one(x).asin(), "acos": lambda x: _inside_one(x).acos(), "atan": arb.atan,
         "acot": lambda x: arb.pi() / 2 - x.atan(), "atan2": _arc,

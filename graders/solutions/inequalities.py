@@ -66,7 +66,7 @@ class Regions:
         self.both = Residuals(scene, trees, self.effort)
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.trees = [tree for side in trees for tree in side]
-        self.unsure, self.borders = False, [0, 0]
+        self.unsure = False
 
     def compared(self) -> Found:
         """Test points inside, on the borders and between them."""
@@ -80,14 +80,12 @@ class Regions:
                 found = self._along(start, at)
                 if found is not None:
                     return found
-        found_both = all(self.borders) or not any(self.borders)
-        return EQUAL if found_both and not self.unsure else UNDECIDED
+        return UNDECIDED if self.unsure else EQUAL
 
     def _along(self, start: Sequence[float], at: int) -> Found | None:
         """Test the borders along a symbol and the stretches between them."""
         zeros = [(which, index, zero) for which, index, zero in self._zeros(start, at)]
         for which, index, zero in zeros:
-            self.borders[which] += 1
             found = self._on_border(which, index, zero)
             if found is not None:
                 return found
