@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from graders.language import plain
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.proposals import figure_behind, nearest_name, product
 from graders.language.symbols import DEGREES, FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key, latin
@@ -25,7 +26,7 @@ def parse(text: str, symbols: Symbols) -> Tree:
     Raises:
         AnswerSyntaxError: The text is not in the language; names the place and what may be meant.
     """
-    return _Parser(tokenize(text), symbols).whole()
+    return plain.read(text, symbols) or _Parser(tokenize(text), symbols).whole()
 
 
 @lru_cache(maxsize=4096)

@@ -7,6 +7,8 @@ import unicodedata
 from collections.abc import Iterable
 from functools import lru_cache
 
+from graders.language.tree import Name
+
 GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "epsilon", "ϵ": "epsilon", "ζ": "zeta", "η": "eta",
     "θ": "theta", "ϑ": "theta", "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "µ": "mu", "ν": "nu", "ξ": "xi",
@@ -48,6 +50,8 @@ ALIASES = {
     "moduł": "abs", "модуль": "abs",
 }  # fmt: skip
 
+MOST_NODES = 400  # spellings that are remembered
+
 
 @lru_cache(maxsize=4096)
 def key(spelling: str) -> str:
@@ -79,12 +83,13 @@ def function_named(spelling: str) -> str | None:
 class Symbols:
     """The symbols declared for one answer; `names` are those it may use, `known` those that mean something here."""
 
-    __slots__ = ("_by_key", "known", "names")
+    __slots__ = ("_by_key", "known", "names", "nodes")
 
     def __init__(self, names: Iterable[str], known: Iterable[str] = ()) -> None:
         self.names = frozenset(names)
         self.known = frozenset(known) | self.names
         self._by_key: dict[str, str] = {}
+        self.nodes: dict[str, Name | None] = {}
         for name in self.known:
             other = self._by_key.setdefault(key(name), name)
             if other != name:
@@ -94,6 +99,12 @@ class Symbols:
         """Give the declared symbol that a spelling means, look-alike letters mapped, or None."""
         found = self._by_key.get(key(spelling)) or self._by_key.get(key(latin(spelling)))
         return found or self._by_key.get(_lettered(spelling)) or self._rate(spelling)
+
+    def node(self, spelling: str) -> Name | None:
+        """Give the tree of the declared symbol that a spelling means, or None; both are kept in `nodes`."""
+        found = self.find(spelling)
+        node = Name(found) if found else None
+        return self.nodes.setdefault(spelling, node) if len(self.nodes) < MOST_NODES else node
 
     def typed(self, spelling: str) -> bool:
         """Tell whether a spelling means a declared symbol without a change of alphabet."""

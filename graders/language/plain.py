@@ -1,0 +1,119 @@
+"""The plain part of the language read at once: declared names, numbers, `+ - * / ^`, brackets, calls.
+
+Most answers hold nothing else. Whatever else stands in a text, and every error, is left to the parser, whose trees
+these are: None means *ask the parser*.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from graders.language.symbols import FUNCTIONS, Symbols, function_named
+from graders.language.tree import Binary, Call, Number, Tree, Unary, order_exists
+
+PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();]{1,250}")
+PIECE = re.compile(r"[A-Za-z][A-Za-z0-9_]*|\d+(?:\.\d+)?|[^ ]")
+DEPTH = 40
+DIGITS = 40
+
+
+class Unusual(Exception):
+    """Something that the parser has to look at."""
+
+
+def read(text: str, symbols: Symbols) -> Tree | None:
+    """Read a plain text over the declared symbols, or give None."""
+    if PLAIN.fullmatch(text) is None:
+        return None
+    try:
+        return _Reader(PIECE.findall(text), symbols).whole()
+    except (Unusual, IndexError):  # IndexError: the text ends too early
+        return None
+
+
+class _Reader:
+    """One pass over the pieces, the last of them first in the list; `piece` is the next one, empty at the end."""
+
+    __slots__ = ("depth", "nodes", "piece", "pieces", "symbols")
+
+    def __init__(self, pieces: list[str], symbols: Symbols) -> None:
+        pieces.append("")
+        pieces.reverse()
+        self.pieces, self.symbols, self.nodes = pieces, symbols, symbols.nodes
+        self.depth, self.piece = 0, pieces.pop()
+
+    def whole(self) -> Tree:
+        tree = self.sum()
+        if self.piece:
+            raise Unusual
+        return tree
+
+    def sum(self) -> Tree:
+        tree = self.product()
+        while True:
+            operator = self.piece
+            if operator != "+" and operator != "-":
+                return tree
+            self.piece = self.pieces.pop()
+            tree = Binary(operator, tree, self.product())
+
+    def product(self) -> Tree:
+        tree = self.factor()
+        while True:
+            operator = self.piece
+            if operator != "*" and operator != "/":
+                return tree
+            self.piece = self.pieces.pop()
+            tree = Binary(operator, tree, self.factor())
+
+    def factor(self) -> Tree:
+        piece = self.piece
+        self.piece = self.pieces.pop()
+        tree: Tree | None = self.nodes.get(piece)
+        if tree is None:
+            if piece == "-" or piece == "+":
+                return Unary(piece, self.deeper(_Reader.factor))
+            tree = self.other(piece)
+        if self.piece == "^":
+            self.piece = self.pieces.pop()
+            return Binary("^", tree, self.deeper(_Reader.factor))
+        return tree
+
+    def other(self, piece: str) -> Tree:
+        """Read an operand that is no symbol met before."""
+        if piece == "(":
+            tree = self.deeper(_Reader.sum)
+            self.close()
+            return tree
+        if piece[0].isdecimal() and len(piece) < DIGITS:
+            return Number(piece)
+        known = piece in self.nodes or not piece[0].isalpha()
+        return (None if known else self.symbols.node(piece)) or self.call(function_named(piece))
+
+    def call(self, function: str | None) -> Tree:
+        if function is None or self.piece != "(":
+            raise Unusual
+        arguments: list[Tree] = []
+        while not arguments or self.piece == ";":
+            self.piece = self.pieces.pop()
+            arguments.append(self.deeper(_Reader.sum))
+        self.close()
+        least, most = FUNCTIONS[function]
+        if not least <= len(arguments) <= most or (function == "macaulay" and not order_exists(arguments[1])):
+            raise Unusual
+        return Call(function, tuple(arguments))
+
+    def close(self) -> None:
+        if self.piece != ")":
+            raise Unusual
+        self.piece = self.pieces.pop()
+
+    def deeper(self, read: Callable[[_Reader], Tree]) -> Tree:
+        """Read what stands within the present one."""
+        self.depth += 1
+        if self.depth > DEPTH:
+            raise Unusual
+        tree = read(self)
+        self.depth -= 1
+        return tree

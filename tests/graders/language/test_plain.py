@@ -1,0 +1,115 @@
+"""The quick reader of plain texts gives the trees of the parser, or leaves the text to it."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from graders.language import AnswerSyntaxError, Symbols, Tree, parse, plain
+from graders.language.parser import _Parser
+from graders.language.text import text_of
+from graders.language.tokens import tokenize
+from tests.graders.language.trees import NAMES, trees
+
+DECLARED = Symbols([*NAMES, "E", "ln1", "pi0"], ["omega2"])
+OPERANDS = [
+    "l1",
+    "l_1",
+    "x",
+    "E",
+    "omega2",
+    "pi",
+    "2",
+    "0.5",
+    "007",
+    "(x",
+    "(a",
+    "sin(a",
+    "atan2(x",
+    "tg(",
+    "-",
+    "log10(2",
+    "q",
+    "",
+]
+OPERATORS = ["+", "-", "*", "/", "^", ")", "*(", "; ", ")^", " ", ".", "", "e", "1e5", "deg", "+", "*", "/"]
+
+
+def parsed(text: str) -> Tree | None:
+    try:
+        return _Parser(tokenize(text), DECLARED).whole()
+    except AnswerSyntaxError:
+        return None
+
+
+@settings(max_examples=200, deadline=None)
+@given(trees)
+def test_a_printed_tree_is_read_alike(tree: Tree) -> None:
+    text = text_of(tree)
+    assert plain.read(text, DECLARED) in (None, parsed(text))
+
+
+def test_whatever_is_read_quickly_the_parser_reads_alike() -> None:
+    chance, read = random.Random(5), 0
+    for _ in range(6000):
+        text = "".join(chance.choice(OPERATORS if k % 2 else OPERANDS) for k in range(chance.randint(1, 9)))
+        found = plain.read(text, DECLARED)
+        read += found is not None
+        assert found is None or found == parsed(text), text
+    assert read > 300
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "-l1*x^2/(a + 2)",
+        "sin(x)^2",
+        "2^-x^2",
+        "-2^2",
+        "a - x - l1",
+        "a/x/2",
+        "x^a^2",
+        "atan2(a; x)",
+        "tg(x)",
+        "--x*a",
+        "((x))",
+    ],
+)
+def test_a_plain_text_is_read_quickly(text: str) -> None:
+    assert plain.read(text, DECLARED) == parsed(text) is not None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "2x",
+        "x a",
+        "sin x",
+        "sin^2(x)",
+        "0,5",
+        "1 +",
+        "(x",
+        "x)",
+        "x = 2",
+        "<x>",
+        "q",
+        "a(x)",
+        "-" * 90 + "x",
+        "9" * 50,
+    ],
+)
+def test_anything_else_is_left_to_the_parser(text: str) -> None:
+    assert plain.read(text, DECLARED) is None
+
+
+@given(st.integers(1, 80))
+def test_depth_is_bounded(depth: int) -> None:
+    text = "(" * depth + "x" + ")" * depth
+    assert plain.read(text, DECLARED) == (parsed(text) if depth <= plain.DEPTH else None)
+    assert (depth > 60) is (parsed(text) is None)
+    if depth <= 60:
+        assert parse(text, DECLARED) == parsed("x")
