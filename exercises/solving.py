@@ -16,7 +16,9 @@ from exercises.givens import domains, numbers, words_of
 from graders import Domain, Formula, Grader, States, Symbols, Value
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, domain_test, line_runner, run
+from graders.language.grids import Rows, rows_of
 from graders.language.program import Runner, Table
+from graders.language.tree import Grid
 from graders.language.tree import names as names_in
 from graders.states import drawn
 
@@ -139,7 +141,7 @@ class Solved:
             line = (replaced or {}).get(step, self.steps[step])
             if not isinstance(line, str):
                 raise TypeError(f"step {step!r} is a function; a symbolic answer needs a formula step")
-            return Formula(parse_line(line), self.states(step))
+            return Formula(self._formulas.formula(step, line), self.states(step))
         return (values or self.values)[step]
 
     def symbols(self, answer: str) -> Symbols:
@@ -203,6 +205,19 @@ class Formulas:
                 known.add(name)
                 yield name, tree
 
+    def formula(self, step: str, line: str) -> Tree:
+        """Give the formula of a step; a matrix is multiplied out, so that every entry is one."""
+        tree, grids = parse_line(line), dict[str, Rows]()
+        if step not in self.matrices:
+            return tree
+        for name, earlier in self.lines:
+            if name == step:
+                break
+            rows = rows_of(parse_line(earlier), grids) if name in self.matrices and earlier is not None else None
+            grids |= {name: rows} if rows is not None else {}
+        rows = rows_of(tree, grids)
+        return tree if rows is None else Grid(rows)
+
     def symbols(self, step: str) -> Symbols:
         """Give the names that an answer for a step may use, and those it may not."""
         if step not in self._symbols:
@@ -214,9 +229,8 @@ class Formulas:
     def defined(self, step: str) -> Callable[[tuple[float, ...]], bool]:
         """Give the test that tells whether a step has a value at a point of the givens."""
         if step not in self._defined:
-            self._defined[step] = domain_test(
-                parse_line(dict(self.lines).get(step) or "0"), self.givens, self.before(step)
-            )
+            tree = self.formula(step, dict(self.lines).get(step) or "0")
+            self._defined[step] = domain_test(tree, self.givens, self.before(step))
         return self._defined[step]
 
 

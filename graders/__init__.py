@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from graders.kinds.rational import Rational
     from graders.kinds.samples import Series
     from graders.kinds.set import Set
+    from graders.kinds.symbolic_matrix import SymbolicMatrix
     from graders.kinds.text import Text
 
     KINDS: dict[str, type[Grader]]
@@ -48,6 +49,7 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Rational": "rational",
     "Series": "samples",
     "Set": "set",
+    "SymbolicMatrix": "symbolic_matrix",
     "Text": "text",
 }
 
@@ -78,6 +80,7 @@ __all__ = [
     "Series",
     "Set",
     "States",
+    "SymbolicMatrix",
     "Symbols",
     "Text",
     "Value",

@@ -35,6 +35,9 @@ class Code(StrEnum):
     NOT_EXACT = "not_exact"
     INVERTED_RATIO = "inverted_ratio"
     UNDEFINED = "undefined"
+    NOT_SOLVED = "not_solved"
+    NOT_A_PRODUCT = "not_a_product"
+    HOLDS_INVERSE = "holds_inverse"
     SOME_ENTRIES = "some_entries"
     SOME_ITEMS = "some_items"
     SOME_BRANCHES = "some_branches"
@@ -113,6 +116,9 @@ OUTCOMES = {
     Code.NOT_EXACT: Outcome.WRONG,
     Code.INVERTED_RATIO: Outcome.WRONG,
     Code.UNDEFINED: Outcome.WRONG,
+    Code.NOT_SOLVED: Outcome.PARTLY,
+    Code.NOT_A_PRODUCT: Outcome.PARTLY,
+    Code.HOLDS_INVERSE: Outcome.PARTLY,
     Code.SOME_ENTRIES: Outcome.PARTLY,
     Code.SOME_ITEMS: Outcome.PARTLY,
     Code.SOME_BRANCHES: Outcome.PARTLY,
@@ -226,7 +232,14 @@ class Branches:
     given: int
 
 
-Details: TypeAlias = Reading | Entries | Witness | Branches | Flaws | Remarks | None
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Details of a verdict about one name."""
+
+    name: str
+
+
+Details: TypeAlias = Reading | Named | Entries | Witness | Branches | Flaws | Remarks | None
 
 
 @dataclass(frozen=True, slots=True)

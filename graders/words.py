@@ -10,7 +10,7 @@ from typing import Any
 from graders.language.errors import Reason
 from graders.language.notes import Note
 from graders.remarks import Remark, Remarks
-from graders.verdict import Branches, Code, Entries, Flaws, Reading, Verdict
+from graders.verdict import Branches, Code, Entries, Flaws, Named, Reading, Verdict
 
 LANGUAGES = ("pl", "en", "ru")
 MOST_REMARKS = 3  # read at once
@@ -49,6 +49,8 @@ def message(verdict: Verdict, lang: str) -> str:
         case Entries(wrong=off, total=total):
             places = ", ".join(f"({row}, {column})" for row, column in off[:6]) + ("…" if len(off) > 6 else "")
             return str(words["codes"][verdict.code.value]).format(right=total - len(off), total=total, places=places)
+        case Named(name=name):
+            return str(words["codes"][verdict.code.value]).format(name=name)
         case Branches(right=right, given=given):
             return str(words["codes"][verdict.code.value]).format(right=right, given=given)
         case Remarks(right=right, total=total, found=remarks):
@@ -91,6 +93,8 @@ def tolerance(description: Mapping[str, Any], lang: str) -> str:
     for scale in ("largest", "amplitude"):
         if scale in description:
             return str(locale(lang)["tolerance"][scale]).format(percent=decimal(100 * description[scale], lang))
+    if "figures" in description or "forms" in description:
+        return _asked(description, lang)
     rtol, atol, unit = description.get("rtol"), description.get("atol"), description.get("unit", "")
     words = locale(lang)["tolerance"]
     if not rtol and not atol:
@@ -102,6 +106,15 @@ def tolerance(description: Mapping[str, Any], lang: str) -> str:
         return str(words["relative"]).format(percent=relative)
     gap = "" if unit in ("", "°") else "\u202f"
     return str(words["both"]).format(percent=relative, least=decimal(atol, lang) + gap + unit)
+
+
+def _asked(description: Mapping[str, Any], lang: str) -> str:
+    """Word how a formula may be rounded and in which form it is asked for."""
+    words, without = locale(lang)["tolerance"], description.get("without", ())
+    asked = [str(words[form]) for form in description.get("forms", ())]
+    asked += [str(words["without"]).format(names=", ".join(without))] if without else []
+    figures = description.get("figures")
+    return "; ".join(asked + ([str(words["figures"]).format(figures=figures)] if figures else []))
 
 
 def _tolerances(components: Sequence[Mapping[str, Any]], lang: str) -> str:

@@ -14,7 +14,7 @@ from server.errors import Refused
 PREFIX = "answer."
 MOST_FIELDS = 1000
 KEY = "key"
-GRIDS = ("matrix", "dh_table")  # kinds that are typed entry by entry
+GRIDS = ("matrix", "symbolic_matrix", "dh_table")  # kinds that are typed entry by entry
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,5 +2,6 @@
 
 from graders.equality.comparing import Comparison, between, compare
 from graders.equality.deciding import Finding
+from graders.equality.entries import compare_entries
 
-__all__ = ["Comparison", "Finding", "between", "compare"]
+__all__ = ["Comparison", "Finding", "between", "compare", "compare_entries"]

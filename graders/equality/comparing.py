@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from graders.equality.deciding import Balls, Finding
 from graders.equality.probing import Row, Search, look
+from graders.equality.rounding import Rounded, rounded
 from graders.equality.turns import Turn, turns
 from graders.judge import Domain, Formula, States
 from graders.language.doubles import DOUBLES, UndefinedError, domain_test
@@ -45,11 +46,32 @@ class Place(NamedTuple):
     asked: bool
 
 
-def compare(answer: Tree, reference: Formula) -> Comparison:
-    """Compare an answer with a reference on the states of the reference."""
+def compare(answer: Tree, reference: Formula, figures: int = 0) -> Comparison:
+    """Compare an answer with a reference on the states of the reference.
+
+    Args:
+        answer: What was typed.
+        reference: What it should be equal to.
+        figures: The significant figures to which the decimals of the answer may be rounded, at least; 0: none may.
+    """
     if answer == reference.tree:
         return Comparison(Finding.EQUAL)
-    return _Pair(answer, reference, mutual=False).compared()
+    found = _Pair(answer, reference, mutual=False).compared()
+    if not figures or found.finding is not Finding.DIFFERENT:
+        return found
+    fitting = rounded(answer, reference, figures)
+    return found if fitting is None else _fitted(fitting, reference.states)
+
+
+def _fitted(fitting: Rounded, states: States) -> Comparison:
+    """Ask at every point whether the rounded answer holds the reference."""
+    findings = set()
+    for point in states.points:
+        finding = fitting.at(point)
+        if finding is Finding.DIFFERENT:
+            return Comparison(finding, tuple(zip(states.names, point, strict=True)))
+        findings.add(finding)
+    return Comparison(Finding.EQUAL if findings - {Finding.NOWHERE} == {Finding.EQUAL} else Finding.UNDECIDED)
 
 
 def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") -> Comparison:
@@ -75,6 +97,13 @@ def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") ->
 @lru_cache(maxsize=256)
 def _spread(box: tuple[tuple[str, Domain], ...], chance: bytes) -> States:
     return spread(dict(box), chance)
+
+
+def few(points: Sequence[Point]) -> Iterator[Point]:
+    """Put a point inside, two corners and another inside in front: an analytic difference shows at any of them."""
+    first = [at for at in (0, INSIDE, INSIDE + 1, 1) if at < len(points)]
+    yield from (points[at] for at in first)
+    yield from (point for at, point in enumerate(points) if at not in first)
 
 
 class _Pair:
@@ -105,15 +134,8 @@ class _Pair:
 
     def compared(self) -> Comparison:
         if not self.turns:
-            return self._settled([Place(point, 0, False) for point in self._few()])
+            return self._settled([Place(point, 0, False) for point in few(self.points)])
         return self._settled(list(self._ordered()))
-
-    def _few(self) -> Iterator[Point]:
-        """Put a point inside, two corners and another inside in front: an analytic difference shows at any of them."""
-        count = len(self.points)
-        first = [at for at in (0, INSIDE, INSIDE + 1, 1) if at < count]
-        yield from (self.points[at] for at in first)
-        yield from (point for at, point in enumerate(self.points) if at not in first)
 
     def _ordered(self) -> Iterator[Place]:
         """Give the points with their patterns of signs, those first where doubles see the two differ most."""

@@ -6,14 +6,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from graders.formulas import Form, checked, has_form
 from graders.judge import Echo, Formula, Samples
-from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
-from graders.language.symbols import Symbols, key
+from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Grid, Index, Name, Relation, Tree, names, walk
-from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, Witness, wrong
+from graders.language.tree import Name, Relation, Tree, names
+from graders.verdict import RIGHT, UNDECIDED, Code, Named, Verdict, Witness, wrong
+
+WRONG_FORM = {Form.PRODUCT: Code.NOT_A_PRODUCT, Form.NO_INVERSE: Code.HOLDS_INVERSE}
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,10 +25,18 @@ class Expression:
     Args:
         step: The step whose formula is asked for.
         weight: Share in the score.
+        figures: The significant figures to which its decimals may be rounded, at least; 0 where they are exact.
+        without: Earlier names that it has to do without: it is to be solved for the step.
+        forms: Forms asked for besides the value.
+        form_credit: Credit for the right value in another form.
     """
 
     step: str
     weight: float = 1.0
+    figures: int = 0
+    without: tuple[str, ...] = ()
+    forms: tuple[Form, ...] = ()
+    form_credit: float = 0.5
     kind: ClassVar[str] = "expression"
     symbolic: ClassVar[bool] = True
 
@@ -35,26 +45,29 @@ class Expression:
         tree = parse(text, symbols)
         if isinstance(tree, Relation) and tree.operators == ("=",) and tree.sides[0] == Name(self.step):
             tree = tree.sides[1]
-        if any(isinstance(node, Relation | Grid | Index) for node in walk(tree)):
-            raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text.strip()[:20])
-        forbidden = sorted(names(tree) - symbols.names)
-        if forbidden:
-            raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, _place(text, forbidden[0]), forbidden[0])
-        return tree
+        return checked(tree, text, symbols)
 
     def check(self, answer: Tree, reference: Formula) -> Verdict:
         """Judge by ball arithmetic on true states; what cannot be decided is kept for the lecturer."""
-        if answer == reference.tree:  # the reference has a value at all of its points
+        if answer == reference.tree:  # the reference has a value at all of its points, and the form asked for
             return RIGHT
         from graders.equality import Finding, compare
 
-        found = compare(answer, reference)
+        found = compare(answer, reference, self.figures)
         if found.finding is Finding.EQUAL:
-            return RIGHT
-        if found.finding is Finding.UNDECIDED:
-            return UNDECIDED
-        code = Code.UNDEFINED if found.finding is Finding.UNDEFINED else Code.WRONG
-        return wrong(code, Witness(found.witness))
+            return self._formed(answer)
+        if found.finding in (Finding.DIFFERENT, Finding.UNDEFINED):
+            return wrong(Code.UNDEFINED if found.finding is Finding.UNDEFINED else Code.WRONG, Witness(found.witness))
+        return UNDECIDED
+
+    def _formed(self, answer: Tree) -> Verdict:
+        """Judge the form of a formula whose value is right."""
+        for name in sorted(names(answer).intersection(self.without)):
+            return Verdict(self.form_credit, Code.NOT_SOLVED, Named(name))
+        for form in self.forms:
+            if not has_form(answer, form):
+                return Verdict(self.form_credit, WRONG_FORM[form])
+        return RIGHT
 
     def show(self, reference: Formula) -> str:
         """Write the formula as a student could type it."""
@@ -63,9 +76,11 @@ class Expression:
     def samples(self, reference: Formula) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
         text = text_of(reference.tree)
-        right = (text, f"2*({text})/2", f"({text}) + 1 - 1", f"{self.step} = {text}")
+        right = (text, f"({text})*2/2", f"{self.step} = {text}", f"({text}) + 1 - 1")
         return Samples(
-            right, (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})"), ("", f"({text}", "1 +", self.step)
+            right[: 3 if self.forms else 4],
+            (f"-({text})", f"2*({text})", f"({text}) + 1e-9*({text})"),
+            ("", f"({text}", "1 +", self.step),
         )
 
     def echo(self, answer: Tree, comma: bool = False) -> Echo:
@@ -81,14 +96,7 @@ class Expression:
         return 0.0 if self.check(one.tree, other).code is Code.RIGHT else float("inf")
 
     def describe(self) -> Mapping[str, Any]:
-        """A formula has no unit and no tolerance."""
-        return {}
-
-
-def _place(text: str, name: str) -> int:
-    """Find where a symbol was typed, whatever its spelling."""
-    for length in range(1, 20):
-        for start in range(len(text) - length + 1):
-            if key(text[start : start + length]) == key(name):
-                return start
-    return 0
+        """Give how it may be rounded and the forms asked for, where the task declares any."""
+        figures = {"figures": self.figures} if self.figures else {}
+        asked = {"forms": [form.value for form in self.forms], "without": list(self.without)}
+        return {**figures, **(asked if self.forms or self.without else {})}

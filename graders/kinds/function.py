@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from graders.formulas import refuse_impulses
 from graders.judge import Echo, Formula, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import Symbols
@@ -141,6 +142,7 @@ def _formula(piece: Piece, symbols: Symbols, allowed: frozenset[str]) -> Tree:
     tree = read_formula(piece, symbols)
     if any(isinstance(node, Relation | Grid | Index) for node in walk(tree)):
         raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, piece.place, piece.text[:20])
+    piece.read(lambda text: refuse_impulses(tree, text))
     forbidden = sorted(names(tree) - allowed)
     if forbidden:
         raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, piece.place, forbidden[0])

@@ -51,6 +51,7 @@ class Reason(StrEnum):
     NEEDS_LENGTH_AND_ANGLE = "needs_length_and_angle"
     NOT_AN_EQUATION = "not_an_equation"
     NOT_A_CLOSURE = "not_a_closure"
+    IMPULSE = "impulse"
     OUT_OF_RANGE = "out_of_range"
 
 

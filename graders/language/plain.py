@@ -1,4 +1,4 @@
-"""The plain part of the language read at once: declared names, numbers, `+ - * / ^`, brackets, calls.
+"""The plain part of the language read at once: declared names, numbers, `+ - * / ^`, brackets, calls, matrices.
 
 Most answers hold nothing else. Whatever else stands in a text, and every error, is left to the parser, whose trees
 these are: None means *ask the parser*.
@@ -10,10 +10,14 @@ import re
 from collections.abc import Callable
 
 from graders.language.symbols import FUNCTIONS, Symbols, function_named
-from graders.language.tree import Binary, Call, Number, Tree, Unary, order_exists
+from graders.language.tree import Binary, Call, Grid, Number, Tree, Unary, order_exists
 
 PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();]{1,250}")
 PIECE = re.compile(r"[A-Za-z][A-Za-z0-9_]*|\d+(?:\.\d+)?|[^ ]")
+BETWEEN = re.compile(r"\] ?[,;] ?\[")
+DECIMAL = re.compile(r"\d,\d")
+LONGEST = 1200  # of a matrix: too short for the bound on nodes
+WIDEST = 16
 DEPTH = 40
 DIGITS = 40
 
@@ -24,12 +28,31 @@ class Unusual(Exception):
 
 def read(text: str, symbols: Symbols) -> Tree | None:
     """Read a plain text over the declared symbols, or give None."""
+    if text[:1] == "[":
+        return _grid(text.rstrip(), symbols)
     if PLAIN.fullmatch(text) is None:
         return None
     try:
         return _Reader(PIECE.findall(text), symbols).whole()
     except (Unusual, IndexError):  # IndexError: the text ends too early
         return None
+
+
+def _grid(text: str, symbols: Symbols) -> Tree | None:
+    """Read a matrix whose entries are plain: `[[a; b], [c; d]]`, `[[a, b], [c, d]]` or `[a, b; c, d]`."""
+    nested = text.startswith("[[") and text.endswith("]]")
+    if len(text) > LONGEST or not text.endswith("]") or (not nested and (";" not in text or DECIMAL.search(text))):
+        return None
+    lines = BETWEEN.split(text[2:-2]) if nested else text[1:-1].split(";")
+    rows = [_row(line, ";" if nested and ";" in line else ",", symbols) for line in lines]
+    width = len(rows[0])
+    if any(None in row or len(row) != width for row in rows) or max(len(rows), width) > WIDEST:
+        return None
+    return Grid(tuple([tuple([entry for entry in row if entry is not None]) for row in rows]))
+
+
+def _row(line: str, separator: str, symbols: Symbols) -> list[Tree | None]:
+    return [read(entry, symbols) if "[" not in entry else None for entry in line.split(separator)]
 
 
 class _Reader:

@@ -140,3 +140,9 @@ def order_exists(order: Tree) -> bool:
     negative = isinstance(order, Unary) and order.operator == "-"
     number = order.operand if isinstance(order, Unary) else order
     return not isinstance(number, Number) or (number.whole and int(number.digits) <= (2 if negative else 100))
+
+
+def impulse(call: Call) -> bool:
+    """Tell whether a Macaulay bracket has a negative order: a force or a moment at a point, which has no value."""
+    order = call.arguments[-1]
+    return call.function == "macaulay" and isinstance(order, Unary) and order.operator == "-"

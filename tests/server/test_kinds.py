@@ -16,6 +16,7 @@ PLAIN = {
     "matrix",
     "quantity",
     "rational",
+    "symbolic_matrix",
     "text",
 }
 

@@ -11,7 +11,17 @@ from graders import Choice, Choices, Expression, Integer, Matrix, Ordering, Quan
 from tests.spellings import amounts, formulas, grids
 from tests.spellings.hand import formula
 
-RICHER = {"dh_table", "diagram", "function", "polygon", "rates", "samples", "set", "text"}  # rewritten in tests/graders
+RICHER = {
+    "dh_table",
+    "diagram",
+    "function",
+    "polygon",
+    "rates",
+    "samples",
+    "set",
+    "symbolic_matrix",
+    "text",
+}  # rewritten in tests/graders
 Spelled = list[tuple[str, str]]
 Kind = Callable[[Solved, str], Spelled]
 

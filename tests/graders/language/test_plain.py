@@ -113,3 +113,51 @@ def test_depth_is_bounded(depth: int) -> None:
     assert (depth > 60) is (parsed(text) is None)
     if depth <= 60:
         assert parse(text, DECLARED) == parsed("x")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[[x; 0], [a; 1]]",
+        "[[x, 0],[a, 1]]",
+        "[x, 0; a, 1]",
+        "[[cos(x); -sin(x)*0.5];[sin(x); cos(x)]]",
+        "[[x, a]]",
+        "[[x]]",
+    ],
+)
+def test_a_plain_matrix_is_read_quickly(text: str) -> None:
+    assert plain.read(text, DECLARED) == parsed(text) is not None
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[x]",
+        "[x, a]",
+        "[[x; 1], [a]]",
+        "[1,5; 2]",
+        "[[x; 1,5], [a; 2]]",
+        "[[x; ], [a; 2]]",
+        "[[x]",
+        "[[[x]]]",
+        "[x[1,2]; 3]",
+    ],
+)
+def test_any_other_matrix_is_left_to_the_parser(text: str) -> None:
+    assert plain.read(text, DECLARED) is None
+
+
+def test_whatever_matrix_is_read_quickly_the_parser_reads_alike() -> None:
+    chance, read, pieces = (
+        random.Random(6),
+        0,
+        ["x", "1", "2.5", "a", ",", ", ", ";", "[", "]", "],[", "]; [", "-", "sin(", ")"],
+    )
+    for _ in range(8000):
+        inner = "".join(chance.choices(pieces, k=chance.randint(1, 8)))
+        text = chance.choice(["[[{}]]", "[{}]"]).format(inner)
+        found = plain.read(text, DECLARED)
+        read += found is not None
+        assert found is None or found == parsed(text), text
+    assert read > 60
