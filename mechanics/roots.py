@@ -40,7 +40,10 @@ def crossings(polynomial: Quartic, end: float, inner: Sequence[float] = ()) -> S
 
 
 def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_right: float) -> float:
-    """Newton's method kept in a bracket, which is halved where Newton would leave it, and at every eighth step."""
+    """Newton's method kept in a bracket, which is halved where Newton would leave it, and at every eighth step.
+
+    A root that rounding alone has moved inside from an end is that end.
+    """
     c0, c1, c2, c3, c4 = polynomial
     rising = at_left < at_right
     t = left + (right - left) * (at_left / (at_left - at_right))
@@ -58,7 +61,7 @@ def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_
             right = t
         incline = c1 + t * (2 * c2 + t * (3 * c3 + t * 4 * c4))
         last, t = t, t - residue / incline if incline else left
-        if step % 8 == 0 or not left < t < right:
+        if step % 8 == 0 or not left - narrow <= t <= right + narrow:
             t = (left + right) / 2
         elif abs(t - last) <= short:
-            return t
+            return min(max(t, left), right)

@@ -69,3 +69,13 @@ def test_inflection_inside_the_bracket_does_not_stop_the_search() -> None:
     root = crossings(polynomial, 1.0)
     assert list(root) == pytest.approx([0.5 - 1e-3], abs=1e-6)
     assert value(polynomial, root[0]) == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("rounding", [0.0, 1e-17, -1e-17, 3e-16])
+def test_a_zero_at_the_end_that_rounding_moved_is_there_or_nowhere(side: int, rounding: float) -> None:
+    """(t - 1)(t^2 + 1): its one root is the right end of the stretch, where the sum of its terms is all rounding."""
+    polynomial: Quartic = (side * (-1.0 + rounding), side * 1.0, side * -1.0, side * 1.0, 0.0)
+    found = list(crossings(polynomial, 1.0))
+    assert found == [] or found == pytest.approx([1.0], rel=1e-15)
+    assert all(0 <= t <= 1 for t in found)
