@@ -22,7 +22,9 @@ from graders.words import decimal
 Words = Mapping[str, Any]
 NARROW = "\u202f"  # narrow no-break space between a number and its unit
 PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
+BLANKS = re.compile(r"[ \t\n]+")  # never the narrow space that holds number and unit together
 MATHS = re.compile(r"\$([^$]*)\$")
+OPEN_END = re.compile(r"<mo>((?:=|&#x0003D;)</mo>(?:</mrow>)?</math>)$")  # `$l_1 =$ 45`: a space follows
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
 ACCENT = re.compile(r"\\(d?dot)\{([^{}]*)\}")
 DOTS = {"dot": "\u0307", "ddot": "\u0308"}
@@ -114,7 +116,7 @@ def _listed(name: str, members: tuple[Any, ...], words: Words, lang: str, seen: 
         noted: list[Printed] = []
         text = str(words[name][type(member).__name__])
         text = text.replace("{i}", f"{{{index}}}").replace("{i-1}", f"{{{index - 1}}}")
-        lines.append("- " + " ".join(fill(text, member, words, lang, noted).split()))
+        lines.append("- " + BLANKS.sub(" ", fill(text, member, words, lang, noted)).strip())
         if seen is not None:
             seen.extend(Printed(f"{p.name}{index}", p.number, p.unit) for p in noted)
     return "\n" + "\n".join(lines) + "\n"
@@ -159,7 +161,8 @@ def mathml(latex: str) -> str:
     """Turn LaTeX into MathML."""
     from latex2mathml.converter import convert
 
-    return re.sub(r' (?:xmlns|display)="[^"]*"', "", convert(latex))
+    shown = re.sub(r' (?:xmlns|display)="[^"]*"', "", convert(latex))
+    return OPEN_END.sub(r'<mo rspace="0">\1', shown)
 
 
 def plain(text: str) -> str:

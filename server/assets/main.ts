@@ -6,6 +6,7 @@ import { restoreDraft } from "./ts/draft.ts";
 import { listenForEcho } from "./ts/echo.ts";
 import { growFormulas } from "./ts/formula.ts";
 import { moveInGrid } from "./ts/matrix.ts";
+import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
 import { showSymbols } from "./ts/symbols.ts";
 
@@ -14,6 +15,7 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   growFormulas(form);
   moveInGrid(form);
   listenForEcho(form);
+  hideStaleVerdicts(form);
   restoreDraft(form); // last: what it restores is echoed and grown like typed text
 });
 document.querySelectorAll<HTMLElement>('[role="group"][hidden]').forEach(showSymbols);

@@ -248,10 +248,12 @@ def test_drawn_lists_are_worded_by_class_with_their_index() -> None:
     words = {"loads": {"Pull": """force $F_{i} =$ {{ F | unit("N") }}""", "Spread": """load {{ q | unit("N/m") }}"""}}
     shown = html(fill("Given:\n\n{{ loads }}\n", BAR, words, "en"))
     assert shown.count("<li>") == 3 and "<mn>3</mn>" in shown
+    assert "\u202fN" in shown and "\u202fN/m" in shown  # a number stays with its unit
 
 
 def test_words_become_html_and_plain_text() -> None:
     assert inline("a < b & $x$, y").startswith("a &lt; b &amp; <span")
+    assert 'rspace="0"' in inline("$l_1 =$ 45") and "rspace" not in inline("$a = b$")
     assert plain(r"Kąt $\alpha_2$ i $l_1$") == "Kąt α2 i l1"
     assert indexed({"T{i}": "moment $T_{i}$"}, "T2") == "moment $T_{2}$"
     with pytest.raises(KeyError):

@@ -25,7 +25,8 @@ PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
 <label for="w">w</label><textarea id="w" name="answer.w" class="formula" rows="1" data-echo="w-e">
 </textarea><div class="keys" role="group" aria-label="s" hidden><button type="button" data-insert="l1">l1</button>
 <button type="button" data-insert="sqrt()" data-back="1">r</button>
-<button type="button" data-key="backspace">b</button></div><p class="read" id="w-e" role="status"></p></div></div>
+<button type="button" data-key="backspace">b</button></div><p class="read" id="w-e" role="status"></p>
+<div class="verdict v-right" id="w-v">Dobrze.</div></div></div>
 <div class="matrix columns-2"><input name="answer.T.1.1"><input name="answer.T.1.2"><input name="answer.T.2.1">
 <input name="answer.T.2.2"></div>
 <label><input type="radio" name="answer.c" value="a">a</label>
@@ -248,6 +249,17 @@ def test_a_draft_comes_back_and_is_echoed_until_it_is_graded(site: Site) -> None
     assert site.open().input_value("#w") == ""
     site.graded = ""
     assert site.open().input_value("#w") == ""
+
+
+def test_a_verdict_steps_back_while_the_answer_is_another_one(site: Site) -> None:
+    page = site.open()
+    verdict = page.locator("#w-v")
+    assert verdict.is_visible()
+    page.fill("#w", "5 mm")
+    assert verdict.is_hidden()
+    page.check("input[value=a]")
+    page.fill("#w", "")
+    assert verdict.is_visible()
 
 
 def test_a_browser_that_keeps_nothing_loses_only_the_draft(site: Site) -> None:
