@@ -32,8 +32,22 @@ def pylinkage_four_bar() -> Task:
     return lambda: next(steps)
 
 
+def pylinkage_slider_crank() -> Task:
+    """One step of a slider-crank that turns on, with velocities and accelerations."""
+    from pylinkage import Ground, Linkage, RRPDyad
+    from pylinkage.actuators import Crank
+
+    A, one, other = Ground(0.0, 0.0), Ground(-1.0, 0.02), Ground(1.0, 0.02)
+    crank = Crank(A, 0.1, angular_velocity=0.01, initial_angle=1.0)
+    linkage = Linkage([A, one, other, crank, RRPDyad(crank.output, one, other, 0.3, x=0.35, y=0.02)])
+    linkage.set_input_velocity(crank, omega=12.0, alpha=-8.0)
+    steps = linkage.step_with_derivatives(iterations=10**9)
+    return lambda: next(steps)
+
+
 ROWS = [
-    Row("slider-crank, position to acceleration", lambda: slider_crank.motion(0.1, 0.3, *DRIVE, 0.02), 1.5),
+    Row("slider-crank, position to acceleration", lambda: slider_crank.motion(0.1, 0.3, *DRIVE, 0.02), 1.5,
+        {"pylinkage": pylinkage_slider_crank}),
     Row("slider-crank with a point of the rod, by name", lambda: slider_crank.solve(0.1, 0.3, *DRIVE, 0.02)),
     Row("four-bar, position to acceleration", lambda: four_bar.motion(*BARS, *DRIVE), 4,
         {"pylinkage": pylinkage_four_bar}),

@@ -8,8 +8,6 @@ from mechanics import accuracy, rod_groups
 from mechanics.chain import Chain
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING: tuple[str, ...] = ()
-
 
 def _lengths(given: Inputs) -> dict[str, float]:
     return {name: given[name] for name in ("L1", "L2", "L3")}

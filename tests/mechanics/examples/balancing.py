@@ -133,8 +133,6 @@ def shaken_base(given: Inputs) -> Outputs:
     return {"X_abs": found.amplitude, "X_rel": found.relative, "kappa": found.transmissibility}
 
 
-PENDING: tuple[str, ...] = ()
-
 SOLVED: dict[str, Solve] = {
     "BV-1": inertia_forces,
     "BV-2": rotor,

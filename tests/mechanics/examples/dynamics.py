@@ -15,8 +15,6 @@ from mechanics.transfer import Transfer, of_unit_motion
 from tests.mechanics.chains import diagonal
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING: tuple[str, ...] = ()
-
 
 def _stage(given: Inputs) -> float:
     """Speed of the crank by that of wheel 1, 1/u12."""

@@ -59,7 +59,6 @@ def newton_steps(given: Inputs) -> Outputs:
     return {"step1": steps[1], "step2": steps[2], "root": [angle % (2 * pi) for angle in steps[-1]]}
 
 
-PENDING: tuple[str, ...] = ()
 SOLVED: dict[str, Solve] = {
     "HC-1": all_assemblies,
     "HC-2": constraint_functions,

@@ -10,7 +10,6 @@ from mechanics.dh import Matrix, Row
 from mechanics.transform import acceleration_matrix, moved_point, velocity_matrix
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING: tuple[str, ...] = ()
 WORDS = (*rod_groups.GROUPS,)  # in the order of the groups, 1 to 6
 
 

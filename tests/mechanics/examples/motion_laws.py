@@ -10,7 +10,6 @@ from mechanics import finite_differences, slider_crank, transfer
 from mechanics.motion_law import constant_output, drive_law, fastest_extension
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING: tuple[str, ...] = ()
 CUBE = -0.1  # of t^3 in the sampled 0.9 + 0.6 t - 0.1 t^2 - 0.1 t^3: the central formula errs by CUBE tau^2
 LATE = 0.15  # the second time is so long before the end, s
 SHORT = 0.3  # the second travel of the example, shorter than the limit

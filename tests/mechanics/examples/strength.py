@@ -14,8 +14,6 @@ from mechanics.strain import Material, strain_of
 from mechanics.stress import PlaneStress, StressState
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
-PENDING = ()
-
 
 def method_of_sections(given: Inputs) -> Outputs:
     found = internal_forces([PointLoad(tuple(given["P"]), tuple(given["point"]))], (given["section_x"], 0.0, 0.0))

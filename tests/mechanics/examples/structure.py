@@ -107,8 +107,6 @@ def seven_revolutes(given: Inputs) -> Outputs:
     return {"W": len(arm), "tip_freedom": tip_freedom(arm), "manoeuvrability": manoeuvrability(len(arm))}
 
 
-PENDING: tuple[str, ...] = ()
-
 SOLVED: dict[str, Solve] = {
     "STR-2": two_spheres,
     "STR-3": six_links,

@@ -24,7 +24,6 @@ CHAPTERS = (
     dynamics, balancing, strength,
 )  # fmt: skip
 SOLVED: dict[str, Solve] = {name: solve for chapter in CHAPTERS for name, solve in chapter.SOLVED.items()}
-PENDING = [name for chapter in CHAPTERS for name in chapter.PENDING]
 
 
 @pytest.mark.parametrize("name", SOLVED)
@@ -33,4 +32,4 @@ def test_a_worked_example_is_reproduced_to_its_printed_digits(name: str) -> None
 
 
 def test_no_example_is_forgotten() -> None:
-    assert sorted([*SOLVED, *PENDING]) == sorted(EXAMPLES)
+    assert SOLVED.keys() == EXAMPLES.keys() and len(EXAMPLES) == 103

@@ -144,8 +144,6 @@ def maltese_cross(given: Inputs) -> Outputs:
     }
 
 
-PENDING: tuple[str, ...] = ()
-
 SOLVED: dict[str, Solve] = {
     "TR-1": rack,
     "TR-2": screw,

@@ -104,7 +104,6 @@ def linear_drive(given: Inputs) -> Outputs:
     }
 
 
-PENDING: tuple[str, ...] = ()
 SOLVED: dict[str, Solve] = {
     "VP-1": rocking_slide,
     "VP-2": slider,

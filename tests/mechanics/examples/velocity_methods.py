@@ -78,7 +78,6 @@ def rotated(given: Inputs) -> Outputs:
     }
 
 
-PENDING: tuple[str, ...] = ()
 SOLVED: dict[str, Solve] = {
     "VM-1": projection,
     "VM-2": centre,
