@@ -22,6 +22,8 @@ from mechanics.linkage import principal
 
 BRANCHES = {"++": (1, 1), "+-": (1, -1), "-+": (-1, 1), "--": (-1, -1)}
 DEAD_NAME = "two assemblies meet: the closure equations are singular"
+LENGTHS = ("l_AB", "l_BC", "l_BE", "l_CE", "l_CD", "l_EF", "l_EH", "l_FH", "l_FG", "l_HK")
+ROUNDING = 1e-13  # of Phi over the square of the size
 SAME = 1e-6  # rad: two zeros as near, with the same signs, are one
 ROUNDS, SETTLED = 30, 1e-13  # of Newton's method; its last step, rad
 
@@ -53,18 +55,22 @@ class Unit:
     sigma4: int = 1
     arm_C: complex = field(init=False, repr=False)  # EC in the axis EB
     arm_E: complex = field(init=False, repr=False)  # FE in the axis FH
+    size: float = field(init=False, repr=False)  # the longest length
 
     def __post_init__(self) -> None:
         for name in ("A", "D", "G", "K"):
             finite(f"{name} x", getattr(self, name).real, "m")
             finite(f"{name} y", getattr(self, name).imag, "m")
-        for name in ("l_AB", "l_BC", "l_BE", "l_CE", "l_CD", "l_EF", "l_EH", "l_FH", "l_FG", "l_HK"):
+        for name in LENGTHS:
             positive(name, getattr(self, name), "m")
         for name in ("sigma2", "sigma4"):
             if getattr(self, name) not in (1, -1):
                 raise ValueError(f"{name} must be 1 or -1, not {getattr(self, name)!r}")
         chi2 = self.sigma2 * _corner("B-C-E", self.l_BE, self.l_CE, self.l_BC)
         chi4 = self.sigma4 * _corner("E-F-H", self.l_FH, self.l_EF, self.l_EH)
+        lengths = [getattr(self, name) for name in LENGTHS]
+        longest = max(*lengths, abs(self.A - self.D), abs(self.G - self.K), abs(self.A - self.G))
+        object.__setattr__(self, "size", longest)
         object.__setattr__(self, "arm_C", self.l_CE * exp(1j * chi2))
         object.__setattr__(self, "arm_E", self.l_EF * exp(1j * chi4))
 
@@ -160,21 +166,22 @@ def assemblies(unit: Unit) -> tuple[Assembly, ...]:
     at the end of a branch. A tangency is one assembly of measure zero.
     """
     found: list[Assembly] = []
-    for outer in _loops(lambda alpha5: _room(unit.K - _end_of_leg(unit, alpha5), unit.l_FH, unit.l_HK)):
+    rounding = ROUNDING * unit.size**4
+    for outer in _loops(lambda alpha5: _room(unit.K - _end_of_leg(unit, alpha5), unit.l_FH, unit.l_HK), rounding):
 
         def joint_E(t: float, outer: _Around = outer) -> tuple[float, complex]:
             alpha5, e4 = outer.at(t)
             F = _end_of_leg(unit, alpha5)
             return alpha5, F + unit.arm_E * _direction(unit.K - F, unit.l_FH, unit.l_HK, e4)
 
-        for inner in _loops(lambda t: _room(unit.A - joint_E(t)[1], unit.l_BE, unit.l_AB)):
+        for inner in _loops(lambda t: _room(unit.A - joint_E(t)[1], unit.l_BE, unit.l_AB), rounding):
             found += _on_loop(unit, joint_E, inner)
     return tuple(sorted(found, key=lambda one: one.alpha5))
 
 
-def _loops(room: Callable[[float], float]) -> list[_Around]:
+def _loops(room: Callable[[float], float], rounding: float) -> list[_Around]:
     """Divide a loop into the loops of both signs of the next link, which lives where its room is positive."""
-    ends = [zero.at for zero in loop.zeros(room) if not zero.double]
+    ends = [zero.at for zero in loop.zeros(room, rounding) if not zero.double]
     if not ends:
         return [_Around(sign=1), _Around(sign=-1)] if room(0.0) > 0 else []
     stretches = zip(ends, [*ends[1:], ends[0] + 2 * pi], strict=True)
@@ -186,7 +193,7 @@ def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], arou
         t, e2 = around.at(s)
         return _phi(unit, joint_E(t)[1], e2)
 
-    for zero in loop.zeros(phi):
+    for zero in loop.zeros(phi, ROUNDING * unit.size**2):
         t, e2 = around.at(zero.at)
         alpha5, E = joint_E(t)
         F = _end_of_leg(unit, alpha5)

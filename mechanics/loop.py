@@ -1,4 +1,9 @@
-"""Zeros of a smooth function on a closed loop, tangencies included, from samples once around (domain HC-2)."""
+"""Zeros of a smooth function on a closed loop, tangencies included, from samples once around (domain HC-2).
+
+A cell of the loop is known by five values. Where they bend evenly, and rise or fall clearly, it has one zero or none;
+where they bend evenly and stay away from zero it has none; otherwise it is halved. So zeros close together are told
+apart, and a narrow turn is not passed over.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +13,12 @@ from typing import NamedTuple
 
 Function = Callable[[float], float]
 
-SAMPLES = 360
-TOUCH = 1e-13  # of the largest value seen: an extremum as small touches zero
-CLOSE = 1e-14  # a step of false position as short as this is the last
-STEPS = 200
-_SHARE = (3 - 5**0.5) / 2  # golden section
+CELLS = 90
+EVENLY = 0.5  # of the greatest bend that bends may be off a straight row
+CLEARLY = 2.0  # times its greatest bend that a function must rise from value to value to be taken as monotone
+NARROW = 1e-9  # a cell as narrow is not halved
+NEAR = 1e-6  # zeros as near to a tangency belong to it
+STEPS, CLOSE = 200, 1e-14  # of false position; its last step
 
 
 class Zero(NamedTuple):
@@ -20,53 +26,73 @@ class Zero(NamedTuple):
     double: bool  # the function touches zero here and does not change its sign
 
 
-def zeros(function: Function, samples: int = SAMPLES) -> list[Zero]:
-    """Find all zeros of a function with period 2 pi.
+Values = tuple[float, float, float, float, float]  # at the ends, the middle and the quarters of a cell
 
-    A sign change between neighbours is a zero. An extremum that comes nearer to zero than both neighbours is looked at
-    closely: it may hide two zeros, or touch.
+
+def zeros(function: Function, rounding: float, cells: int = CELLS) -> list[Zero]:
+    """Find all zeros of a function with period 2 pi.
 
     Args:
         function: Smooth and periodic.
-        samples: How many places are looked at; two extrema between neighbours are not seen.
+        rounding: A value as small cannot be told from zero.
+        cells: In how many equal parts the loop is first divided.
 
     Returns:
-        The zeros, rising.
+        The zeros, rising; two that are nearer than rounding are one double zero.
     """
-    step = 2 * pi / samples
-    values = [function(i * step) for i in range(samples)]
-    touch = TOUCH * max(abs(value) for value in values)
+    step = 2 * pi / (4 * cells)
+    values = [function(i * step) for i in range(4 * cells)]
+    values.append(values[0])
     found: list[Zero] = []
-    for i, here in enumerate(values):
-        before, after = values[i - 1], values[(i + 1) % samples]
-        if (here < 0) != (after < 0):
-            found.append(Zero(between(function, i * step, (i + 1) * step, here, after), False))
-        elif (before < 0) == (here < 0) and abs(here) <= abs(before) and abs(here) < abs(after):
-            found += _near_extremum(function, (i - 1) * step, i * step, (i + 1) * step, touch)
-    return sorted(Zero(zero.at % (2 * pi), zero.double) for zero in found)
+    for i in range(0, 4 * cells, 4):
+        a, b, c, d, e = values[i : i + 5]
+        found += _in_cell(function, i * step, (i + 4) * step, (a, b, c, d, e), rounding)
+    return _merged(found)
 
 
-def _near_extremum(function: Function, left: float, middle: float, right: float, touch: float) -> list[Zero]:
-    """Descend to the value nearest to zero by golden section, until the sign changes or the bracket is spent."""
-    sign = -1.0 if function(middle) < 0 else 1.0
-    lowest = sign * function(middle)
-    while lowest > touch and right - left > 1e-8:
-        longer = right if right - middle > middle - left else left
-        tried = middle + _SHARE * (longer - middle)
-        value = sign * function(tried)
-        if value < lowest:
-            left, right = (middle, right) if tried > middle else (left, middle)
-            middle, lowest = tried, value
-        elif tried > middle:
-            right = tried
+def _in_cell(function: Function, left: float, right: float, values: Values, rounding: float) -> list[Zero]:
+    a, b, c, d, e = values
+    if max(abs(value) for value in values) <= rounding:
+        return [Zero((left + right) / 2, True)]
+    bends = a - 2 * b + c, b - 2 * c + d, c - 2 * d + e
+    bend = max(abs(one) for one in bends)
+    narrow = right - left < NARROW
+    if narrow or bend <= rounding or abs(bends[0] - 2 * bends[1] + bends[2]) <= EVENLY * bend:
+        changes = (a < 0) != (e < 0)
+        steepness = min(abs(b - a), abs(c - b), abs(d - c), abs(e - d))
+        if narrow or (steepness > CLEARLY * bend and (b > a) == (c > b) == (d > c) == (e > d)):
+            if changes:
+                return [Zero(between(function, left, right, a, e), False)]
+            return (
+                [Zero((left + right) / 2, True)] if narrow and min(abs(value) for value in values) <= rounding else []
+            )
+        if not changes and min(abs(value) for value in values) > bend and (a < 0) == (c < 0):
+            return []
+    eighth = (right - left) / 8
+    new = [function(left + k * eighth) for k in (1, 3, 5, 7)]
+    middle = (left + right) / 2
+    return [
+        *_in_cell(function, left, middle, (a, new[0], b, new[1], c), rounding),
+        *_in_cell(function, middle, right, (c, new[2], d, new[3], e), rounding),
+    ]
+
+
+def _merged(found: list[Zero]) -> list[Zero]:
+    """Make one of all zeros near a tangency: simple if their signs change an odd number of times."""
+    groups: list[list[Zero]] = []
+    for zero in found:
+        last = groups[-1] if groups else []
+        if last and zero.at - last[-1].at < NEAR and (zero.double or last[-1].double):
+            last.append(zero)
         else:
-            left = tried
-    if lowest > touch:
-        return []
-    if lowest >= -touch:
-        return [Zero(middle, True)]
-    ends = ((left, middle), (middle, right))
-    return [Zero(between(function, a, b, function(a), function(b)), False) for a, b in ends]
+            groups.append([zero])
+    merged: list[Zero] = []
+    for group in groups:
+        simple = [zero for zero in group if not zero.double]
+        chosen = simple or group
+        at = sum(zero.at for zero in chosen) / len(chosen)
+        merged.append(Zero(at % (2 * pi), len(simple) % 2 == 0))
+    return sorted(merged)
 
 
 def between(function: Function, left: float, right: float, at_left: float, at_right: float) -> float:
