@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 
@@ -94,6 +95,13 @@ def test_a_variant_is_presented_and_solved_in_every_language(exercise_id: str, l
     assert all(field.prompt_text for field in shown.answers.values())
     assert shown.picture is not None and shown.picture.svg.startswith("<svg")
     assert all(line.heading_html and line.value for line in solution(variant, lang))
+
+
+@EVERY
+def test_a_printed_tolerance_is_a_round_number(exercise_id: str) -> None:
+    for name, field in presented(variants.deal(exercise_id, 1), "en").answers.items():
+        figures = [found.replace(".", "").strip("0") for found in re.findall(r"[\d.]+", field.tolerance_text)]
+        assert all(len(digits) <= 2 for digits in figures), (name, field.tolerance_text)
 
 
 @EVERY
