@@ -11,7 +11,7 @@ from exercises.givens import each, given, option
 from graders import Grader, States, Value, Verdict
 
 if TYPE_CHECKING:
-    pass
+    from figures.machine import Machine
 
 Values: TypeAlias = Mapping[str, Value]
 Line: TypeAlias = str | Callable[..., Value]
@@ -47,7 +47,8 @@ class Exercise(Generic[G]):
 
     An answer whose judge needs more than the value or the formula of a step (the true states of a mechanism, the pose
     of a chain) names in `references` a function of the givens, the solved values and the drawn states that makes it.
-    A laboratory exercise names in `report` which answers fill the sections of report TMM-2.
+    A laboratory exercise names in `report` which answers fill the sections of report TMM-2; `machine` gives what moves
+    on its page.
     The function `figure` in the folder's `figure.py` is imported when the variant is first drawn.
     """
 
@@ -60,6 +61,7 @@ class Exercise(Generic[G]):
     mistakes: Mapping[str, Mistake[G]]
     references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
     report: Mapping[int, tuple[str, ...]] = field(default_factory=dict)
+    machine: Callable[[G], Machine] | None = None
     version: int = 1
     minutes: int = 20
 

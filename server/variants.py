@@ -9,7 +9,7 @@ from html import escape
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
-from pydantic import BaseModel, ConfigDict, Field, StrictInt
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictInt
 
 from exercises import grading, presenting
 from exercises import variants as dealing
@@ -25,6 +25,7 @@ from server.errors import Failure, Refused, printable, unknown_variant
 from server.exercises import known
 from server.policy import may_see_solution, may_see_variant
 from server.reader import Asking, Reader, admit, remember, welcome
+from server.relations import relations
 from server.storage import Dealt
 from server.typed import Typed
 
@@ -98,17 +99,19 @@ class ShownVariant(BaseModel):
 
 
 class Question(BaseModel):
-    """One typed line."""
+    """One typed line; `relations` asks for its formulas as lists besides."""
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"examples": [{"answer": "l3", "text": "1,25 m"}]})
     answer: Typed
     text: Typed
+    relations: StrictBool = False
 
 
 class Understood(BaseModel):
     """What was read, or why nothing could be; the same for every seed.
 
-    `ok` tells which; positions are 0-based code points of the text as typed.
+    `ok` tells which; positions are 0-based code points of the text as typed. `relations` holds the formulas of a
+    polygon, of its derivatives or of an expression: a number, a name, or a list of an operation and its formulas.
     """
 
     ok: bool
@@ -119,6 +122,7 @@ class Understood(BaseModel):
     code: str | None = None
     message: str | None = None
     position: int | None = None
+    relations: dict[str, Any] | None = None
 
 
 class SolutionLine(BaseModel):
@@ -160,8 +164,11 @@ async def show_variant(variant: str, bench: Tools, reader: Asking) -> ShownVaria
 @router.post("/variants/{variant}/preview", responses=GONE | {422: {"model": Failure}})
 async def preview(variant: str, question: Question, bench: Tools, reader: Asking) -> Understood:
     """Say what is understood of one typed line. Costs nothing and tells nothing about the answer."""
-    dealt = await visible(bench, reader, variant)
-    return await understood(bench, restored(dealt), question.answer, question.text, reader.language)
+    read = restored(await visible(bench, reader, variant))
+    said = await understood(bench, read, question.answer, question.text, reader.language)
+    if question.relations and said.ok:
+        said.relations = await bench.judging.run(relations, read, question.answer, question.text)
+    return said
 
 
 @router.get("/variants/{variant}/solution", responses=GONE | {403: {"model": Failure}, 422: {"model": Failure}})

@@ -9,8 +9,9 @@ from exercises.exercise import Submission
 from exercises.grading import grade, reference
 from exercises.manipulators import _arm
 from exercises.manipulators._arm import Side, Sides, motion
-from exercises.manipulators._arm.motion import Arm, Pair
+from exercises.manipulators._arm.motion import Arm
 from exercises.solving import evaluate
+from figures.machine import Pair
 from graders import Code, Outcome, Verdict
 
 ARMS = ("tmm2_oop", "tmm2_opo", "tmm2_poo")

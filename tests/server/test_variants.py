@@ -141,6 +141,14 @@ def test_a_preview_is_the_same_for_every_seed(client: TestClient, deal: Callable
         assert preview(client, one, answer, text) == preview(client, other, answer, text)
 
 
+def test_a_preview_gives_the_relations_it_is_asked_for(client: TestClient, deal: Callable[..., str]) -> None:
+    question = {"answer": "omega2_formula", "text": "-l1*omega1"}
+    path = f"/api/v1/variants/{deal()}/preview"
+    assert client.post(path, json=question).json()["relations"] is None
+    asked = client.post(path, json=question | {"relations": True}).json()
+    assert asked["relations"] == {"formula": ["*", ["negate", "l1"], "omega1"]}
+
+
 def test_a_preview_of_an_unknown_answer_is_refused(client: TestClient, deal: Callable[..., str]) -> None:
     reply = client.post(f"/api/v1/variants/{deal()}/preview", json={"answer": "zz", "text": "1"})
     assert (reply.status_code, reply.json()["error"]["field"]) == (422, "answer")

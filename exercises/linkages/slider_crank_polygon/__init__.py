@@ -11,11 +11,13 @@ from math import cos, pi, radians, sin
 
 from exercises.exercise import Draw, Exercise, Mistake, Values, given
 from exercises.linkages.slider_crank_polygon.motion import NODES, mechanism
+from figures.machine import Drive, Link, Machine, Pair, Plotted
 from graders import Polygon, Quantity, Rates, States
 from graders.polygon.mechanism import Mechanism
 from mechanics import planar
 
 ANGLES = [a for a in range(20, 341, 5) if a % 90 not in (0, 5, 45, 85)]  # far from where an answer vanishes
+SPANS = (0.2, 0.3, 0.4, 0.5, 0.8, 1.0, 1.5)  # s
 CANCELLED = 0.2  # a sum that is smaller than this part of its terms is lost in the rounding of earlier answers
 
 
@@ -73,6 +75,20 @@ def judged_by(givens: Givens, values: Values, states: States) -> Mechanism:
     return mechanism(states)
 
 
+def machine(givens: Givens) -> Machine:
+    """Give the mechanism as the page of the laboratory moves it: a turn of the crank or a little more."""
+    turn = 2 * pi / givens.omega1
+    return Machine(
+        drives=(Drive("alpha1", "omega1", "epsilon1"),),
+        pairs=(Pair("turn", "alpha1"),),
+        links=(Link("l1", "A", "B"), Link("l2", "B", "C")),
+        plotted=(Plotted("x", "l3", "v3", "a3"),),
+        span=next(span for span in SPANS if span >= turn),
+        tip="l1",
+        rod="l2",
+    )
+
+
 EXERCISE = Exercise(
     systems=("VP-1", "VP-2"),
     givens=Givens,
@@ -105,6 +121,7 @@ EXERCISE = Exercise(
         11: ("omega2", "epsilon2"),
         12: ("v3", "a3"),
     },
+    machine=machine,
     references=dict.fromkeys(("polygon", "velocities", "accelerations"), judged_by),
     mistakes={
         "lost_minus": Mistake(alpha2="asin(l1*sin(alpha1)/l2)"),

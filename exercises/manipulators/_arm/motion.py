@@ -6,38 +6,21 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import hypot
-from typing import Literal, TypeAlias
+from typing import TypeAlias
 
 from exercises.exercise import Steps, Values
 from exercises.manipulators._arm import Side, Sides, acceleration, place, speed
+from figures.machine import Drive, Link, Machine, Pair, Plotted
 from graders import States
 from graders.polygon.jets import Trio
 from graders.polygon.mechanism import Mechanism, State
 from mechanics.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute, solve
 
 KEPT = 20  # states are enough to judge by
+SPAN = 1.5  # s of the motion that the laboratory shows
 EDGES = (("A", "B"), ("B", "C"), ("C", "D"), ("A", "D"), ("A", "E"), ("E", "D"))
 REST: Trio = (0.0, 0.0, 0.0)
 Numbers: TypeAlias = Mapping[str, float]
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """A driven joint of the arm.
-
-    Attributes:
-        kind: A turn, or a slide along a guide of the body before.
-        coordinate: Name of the driven coordinate.
-        behind: Name of the length from the joint before to this one, empty where they coincide.
-        datum: Number of the body from which a turn is measured, 0 for the frame.
-        turn: Direction of the guide in the body before, radians.
-    """
-
-    kind: Literal["turn", "slide"]
-    coordinate: str
-    behind: str = ""
-    datum: int = 0
-    turn: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +97,25 @@ def mechanism(arm: Arm, sides: Sides, steps: Steps, states: States) -> Mechanism
         acceleration="\n".join(f"{axis}: {acceleration(sides, axis)} - a_{axis} = 0" for axis in "xy"),
         derived=tuple((name, line) for name, line in directions.items() if isinstance(line, str)),
     )
+
+
+def machine(arm: Arm, sides: Sides) -> Machine:
+    """Give the arm as the page of the laboratory moves it."""
+    links = tuple(
+        Link(side.length, start, end, side.slides, _called(side))
+        for side, start, end in zip(sides, "ABC", "BCD", strict=True)
+    )
+    drives = tuple(Drive(name, f"{name}_d", f"{name}_dd") for name in (pair.coordinate for pair in arm.pairs))
+    plotted = Plotted("x", "x_D", "v_x", "a_x"), Plotted("y", "y_D", "v_y", "a_y")
+    return Machine(drives, arm.pairs, links, plotted, SPAN, arm.tip)
+
+
+def _called(side: Side) -> tuple[str, str, str]:
+    """Give the names of a direction and of its rates that the task has beside the givens."""
+    if not side.angle.startswith("alpha"):
+        return "", "", ""
+    own = side.spin.startswith("omega")
+    return side.angle, side.spin if own else "", side.surge if own else ""
 
 
 @lru_cache(maxsize=64)

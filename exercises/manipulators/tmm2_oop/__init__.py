@@ -14,7 +14,8 @@ from exercises.givens import numbers
 from exercises.manipulators import _arm
 from exercises.manipulators._arm import Side, Sides, motion
 from exercises.manipulators._arm.drawing import accelerations, angles, clear, lengths, rates
-from exercises.manipulators._arm.motion import Arm, Pair
+from exercises.manipulators._arm.motion import Arm
+from figures.machine import Machine, Pair
 from graders import States
 from graders.polygon.mechanism import Mechanism
 
@@ -86,6 +87,11 @@ def judged_by(givens: Givens, values: Values, states: States) -> Mechanism:
     return motion.mechanism(arm(givens), SIDES, steps(givens), states)
 
 
+def machine(givens: Givens) -> Machine:
+    """Give the arm as the page of the laboratory moves it."""
+    return motion.machine(arm(givens), SIDES)
+
+
 def rate_alone(givens: Givens) -> Steps:
     """The turning of link 2 taken from its own coordinate only."""
     return {"omega3": "Theta2_d", "epsilon3": "Theta2_dd"} if givens.measured == "relative" else {}
@@ -107,5 +113,6 @@ EXERCISE = Exercise(
         **_arm.slips(lambda _: SIDES),
     },
     report=_arm.REPORT,
+    machine=machine,
     minutes=90,
 )
