@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from graders.comparison.outcome import Answer, Why, different, of_solutions
 from graders.comparison.request import Request
 from graders.comparison.texts import trees
@@ -15,8 +17,8 @@ from graders.solutions.systems import compare_systems
 
 def scene(request: Request, secret: bytes) -> Scene:
     """Give the box of a request with points in it."""
-    made = scene_of(list(request.box), list(request.box.values()), secret)
-    return Scene(made.names, made.ranges, made.points, tuple(request.fixed.items()))
+    made = scene_of(tuple(request.box), tuple(request.box.values()), secret)
+    return replace(made, lines=tuple(request.fixed.items())) if request.fixed else made
 
 
 def compare_equation(request: Request, secret: bytes) -> Answer:

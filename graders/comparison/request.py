@@ -6,12 +6,13 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from graders.language import AnswerSyntaxError, Symbols, parse
 from graders.language.doubles import UndefinedError, line_runner, run
 from graders.language.tokens import tokenize
-from graders.language.tree import Number, Tree, Unary, names
+from graders.language.tree import Number, Tree, Unary
 
 COMMON = ("kind", "a", "b", "vars")
 NEEDED = ("kind", "a", "b")
@@ -179,12 +180,17 @@ def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
 
 
 def _require_name(name: str, field: str) -> None:
-    try:
-        tokens = tokenize(name) if len(name) <= LONGEST_NAME else []
-    except AnswerSyntaxError:
-        tokens = []
-    if [token.kind for token in tokens] != ["name", "end"] or tokens[0].text != name:
+    if len(name) > LONGEST_NAME or not _is_name(name):
         raise BadRequest("unknown_symbol", f"{field}: {shown(name)} is no name of a symbol", field)
+
+
+@lru_cache(maxsize=2048)
+def _is_name(name: str) -> bool:
+    try:
+        tokens = tokenize(name)
+    except AnswerSyntaxError:
+        return False
+    return [token.kind for token in tokens] == ["name", "end"] and tokens[0].text == name
 
 
 def _require_distinct(found: Mapping[str, Any]) -> None:
@@ -197,7 +203,11 @@ def _require_distinct(found: Mapping[str, Any]) -> None:
 def _bound(value: Any, field: str) -> tuple[float, Tree]:
     """Read a bound: a number, or a text with a constant expression."""
     if isinstance(value, str):
-        return _constant(value, field)
+        found = _constant(value)
+        if isinstance(found, str):
+            code, _, said = found.partition(" ")
+            raise BadRequest(code, f"{field}: the bound {shown(value)} {said}", field)
+        return found
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise _wrong_type(field, value, "two constant expressions")
     try:
@@ -211,22 +221,21 @@ def _bound(value: Any, field: str) -> tuple[float, Tree]:
     return number, Unary("-", tree) if number < 0 else tree
 
 
-def _constant(text: str, field: str) -> tuple[float, Tree]:
+@lru_cache(maxsize=2048)
+def _constant(text: str) -> tuple[float, Tree] | str:
+    """Read a constant expression; a text is a code and what is wrong."""
     try:
         tree = parse(text, NOTHING)
-        (number,) = run(line_runner(tree), []) if not names(tree) else (None,)
+        (number,) = run(line_runner(tree), [])
     except AnswerSyntaxError as error:
-        said = f"{field}: the bound {shown(text)} cannot be read ({error.reason.value} at {error.position})"
-        raise BadRequest("unreadable_bound", said, field) from None
+        return f"unreadable_bound cannot be read ({error.reason.value} at {error.position})"
     except UndefinedError:
-        number = math.nan
-    except ValueError:
-        number = None
-    if not isinstance(number, float):
-        raise BadRequest("unreadable_bound", f"{field}: the bound {shown(text)} is no number", field)
-    if not math.isfinite(number):
-        raise BadRequest("not_finite", f"{field}: the bound {shown(text)} must be finite", field)
-    return number, tree
+        return "not_finite must be finite"
+    except ValueError:  # a relation has no value
+        return "unreadable_bound is no number"
+    if not isinstance(number, float | int):
+        return "unreadable_bound is no number"
+    return (float(number), tree) if math.isfinite(number) else "not_finite must be finite"
 
 
 def _wrong_type(field: str, value: Any, wanted: str) -> BadRequest:

@@ -31,6 +31,8 @@ def beside(side: Side, zero: Zero) -> Beside:
     if values is not None and not all(value.contains(0) for value in values):
         return Beside.OTHER
     middle = [arb(x.mid()) for x in zero.point]
+    if values is not None and _far_below(values, side.balls(_points(side, middle, zero.free, NEAR)[0])):
+        return Beside.ZERO
     if values is None and side.balls(middle) is None:
         return _hole(side, middle, zero.free)
     for bits in (BITS, FINE):
@@ -53,6 +55,12 @@ def _points(side: Side, middle: Sequence[arb], free: Sequence[int], step: arb) -
 
 def _around(side: Side, middle: Sequence[arb], free: Sequence[int], step: arb) -> list[list[arb] | None]:
     return [side.balls(point) for point in _points(side, middle, free, step)]
+
+
+def _far_below(here: Sequence[arb], beyond: Sequence[arb] | None) -> bool:
+    if beyond is None:
+        return False
+    return all(one.abs_upper() < SHRUNK * other.abs_lower() for one, other in zip(here, beyond, strict=True))
 
 
 def _small(side: Side, middle: Sequence[arb], free: Sequence[int], flat: bool) -> bool:

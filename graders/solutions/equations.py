@@ -18,8 +18,8 @@ from graders.language.balls import precision
 from graders.language.tree import Call, Relation, Tree, walk
 from graders.solutions.beside import Beside, beside
 from graders.solutions.branches import BRANCHING, branch_starts
-from graders.solutions.newton import projected
-from graders.solutions.reduction import factors, reduced, residual
+from graders.solutions.descent import descended
+from graders.solutions.reduction import degrees, factors, reduced, residual
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -34,10 +34,11 @@ from graders.solutions.scene import (
 )
 from graders.solutions.zeros import Line, Zero, scanned, straight
 
-DRAWS = 6  # points at which the ratio is tested
+DRAWS = 4  # points at which the ratio is tested
 ENOUGH = 3  # zeros of each side that the other must share
-STARTS = 9  # points from which zeros are looked for all over the box
+STARTS = 8  # points from which zeros are looked for all over the box
 SCANNED = 2  # lines that are searched from end to end
+TRIED, REGIONS = 3, 12  # points at which a side may be zero in a whole region: looked at early, and in all
 MOST = 12  # zeros of one line
 SHARE = 0.6180339887  # of the range between the two values of the unknown
 
@@ -81,6 +82,14 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
             return UNDECIDED
 
 
+@dataclass(frozen=True, slots=True)
+class Factor:
+    """A factor of a side: zero there, the whole is."""
+
+    side: Side
+    tree: Tree
+
+
 class Pair:
     """The residuals of the reference and the answer over one scene."""
 
@@ -91,7 +100,7 @@ class Pair:
         self.both = Residuals(scene, [[tree] for tree in trees] + (parts if several else []), Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.factors = [
-            [Side(self.both, 2 + which, (k,)) for k in range(len(part))] if several else [self.sides[which]]
+            [Factor(Side(self.both, 2 + which if several else which, (k,)), tree) for k, tree in enumerate(part)]
             for which, part in enumerate(parts)
         ]
 
@@ -160,52 +169,71 @@ class Pair:
     def _zeros(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
         found: tuple[list[Zero], list[Zero]] = ([], [])
-        affine = [self._affine(side, self.unknown) for sides in self.factors for side in sides]
-        for source in (self._regions(), self._in_turn(self._solved), self._in_turn(self._spread)):
+        points = self.scene.points
+        for source in (
+            self._in_turn(self._solved),
+            self._regions(points[:TRIED]),
+            self._in_turn(self._spread),
+            self._regions(points[TRIED:REGIONS]),
+        ):
             for which, zero in source:
                 found[which].append(zero)
                 yield which, zero
-            if all(affine) and min(map(len, found)) >= ENOUGH and not self.branching:
+            if min(map(len, found)) >= ENOUGH and self._settled():
                 return
         for which in (0, 1):
             for zero in self._along_lines(which, [*found[0], *found[1]]):
                 yield which, zero
 
+    def _settled(self) -> bool:
+        """Tell whether each side has one zero on each line: both are affine in the unknown, in every branch."""
+        affine = (self.unknown in self._affine(factor) for factors in self.factors for factor in factors)
+        return not self.branching and all(affine)
+
     def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
         for pair in zip_longest(source(0), source(1)):
             yield from ((which, zero) for which, zero in enumerate(pair) if zero is not None)
 
-    def _regions(self) -> Iterator[tuple[int, Zero]]:
+    def _regions(self, points: Sequence[Sequence[float]]) -> Iterator[tuple[int, Zero]]:
         """Give points in the middle of the box where a side is zero: an identity, a bracket that is not open."""
-        for point in exactly(self.scene.points[: 2 * DRAWS]):
+        for point in exactly(points):
             for which, value in enumerate(self.both.balls(point)[:2]):
                 if value is not None and value.contains(0):
                     yield which, Zero(tuple(point), (self.unknown,))
 
-    def _affine(self, side: Side, at: int) -> bool:
-        """Tell whether a side is affine in a symbol, at the first points where it has a value."""
-        lines = (Line(side, base, at) for base in self.scene.points[:4])
-        return next((True for line in lines if straight(line) is not None), False)
+    @cached_property
+    def _lines(self) -> dict[str, dict[str, int]]:
+        """Give the degrees of the names that lines define."""
+        known = dict[str, dict[str, int]]()
+        for name, line in self.scene.lines:
+            known[name] = degrees(line, known)
+        return known
+
+    def _affine(self, factor: Factor) -> list[int]:
+        """Give the symbols in which a factor is affine as it is written, the unknown first."""
+        found = degrees(factor.tree, self._lines)
+        symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
+        return sorted(symbols, key=lambda at: at != self.unknown)
 
     def _solved(self, which: int) -> Iterator[Zero]:
         """Give zeros where a factor of a side is affine in the unknown."""
-        for side in self.factors[which]:
-            if self._affine(side, self.unknown):
-                found = (straight(Line(side, base, self.unknown)) for base in self.scene.points)
+        for factor in self.factors[which]:
+            if self.unknown in self._affine(factor):
+                found = (straight(Line(factor.side, base, self.unknown)) for base in self.scene.points)
                 yield from islice((one.zero for one in found if one is not None and one.zero is not None), ENOUGH + 1)
 
     def _spread(self, which: int) -> Iterator[Zero]:
         """Give zeros all over the box and in every branch: by a symbol in which a factor is affine, else by steps."""
-        for side in self.factors[which]:
-            yield from self._spread_of(side, used_symbols(self.scene, (self.trees[which],)))
+        for factor in self.factors[which]:
+            yield from self._spread_of(factor, used_symbols(self.scene, (self.trees[which],)))
 
-    def _spread_of(self, side: Side, used: Sequence[int]) -> Iterator[Zero]:
-        affine, count = [at for at in used if at != self.unknown and self._affine(side, at)], 0
-        moving = ((self.unknown,), used, [at for at in used if at != self.unknown])
+    def _spread_of(self, factor: Factor, used: Sequence[int]) -> Iterator[Zero]:
+        others, count = [at for at in used if at != self.unknown], 0
+        affine, moving = [at for at in self._affine(factor) if at in others], ((self.unknown,), used, others)
         for k, start in enumerate(self.starts):
-            zero = self._beside(side, start, affine)
+            zero = self._beside(factor.side, start, affine)
             if zero is None and (not affine or count < ENOUGH):
-                zero = projected(side, start, moving[k % 3])
+                zero = descended(factor.side, start, moving[k % 3])
             if zero is not None:
                 count += 1
                 yield zero
@@ -227,5 +255,5 @@ class Pair:
         """Search whole lines along the unknown through points near zeros, else through any points."""
         bases = [[float(x) for x in zero.point] for zero in known[:: max(1, len(known) // SCANNED)]]
         bases = bases[:SCANNED] or [list(point) for point in self.scene.points[: 2 * SCANNED]]
-        for base, side in product(bases, self.factors[which]):
-            yield from islice(scanned(Line(side, base, self.unknown)), MOST)
+        for base, factor in product(bases, self.factors[which]):
+            yield from islice(scanned(Line(factor.side, base, self.unknown)), MOST)

@@ -9,10 +9,9 @@ from flint import arb
 
 from graders.solutions.beside import Beside, beside
 from graders.solutions.scene import Side
-from graders.solutions.zeros import DELTA, Line, Zero, secant, touching
+from graders.solutions.zeros import DELTA, Zero
 
 STEPS = 14
-SLOW, REACH = 1e-2, 5e-2  # of a range: a last step that may close in on a double zero, and how far that is looked for
 POLISHING = 7
 CLOSE = 1e-7  # of a range: near enough to go on in balls
 DEPENDENT = 1e-9  # a pivot below this share of the largest one says that the equations depend on one another
@@ -23,13 +22,12 @@ Values = Callable[[list[Any]], list[Any] | None]
 
 def projected(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero | None:
     """Find a zero of all residuals near a start by the shortest steps in all symbols, kept inside the box."""
-    scene, point = side.scene, list(start)
-    moving, share, rows = [at for at in used if scene.width(at)], 1.0, None
+    scene, point, moving = side.scene, list(start), [at for at in used if side.scene.width(at)]
     for _ in range(STEPS):
         here = side.doubles(point)
         rows = _slopes(side, point, moving, here) if here is not None else None
         step = shortest(rows, here) if rows is not None and here is not None else None
-        if step is None:
+        if step is None or rows is None:
             return None
         share = max(map(abs, step))
         if share < CLOSE:
@@ -39,15 +37,7 @@ def projected(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero |
         for at, s in zip(moving, step, strict=True):
             low, high = scene.ranges[at]
             point[at] = min(high, max(low, point[at] - damp * s * scene.width(at)))
-    return _touched(side, point, moving, rows) if rows is not None and len(rows) == 1 and share < SLOW else None
-
-
-def _touched(side: Side, point: Sequence[float], moving: Sequence[int], rows: list[list[float]]) -> Zero | None:
-    """Steps that halve and halve close in on a zero without a change of sign."""
-    (at,) = _steepest(side, point, moving, rows)
-    low, high = side.scene.ranges[at]
-    reach = REACH * (high - low)
-    return touching(Line(side, point, at), max(low, point[at] - reach), min(high, point[at] + reach))
+    return None
 
 
 def _slopes(side: Side, point: list[float], moving: Sequence[int], here: Sequence[float]) -> list[list[float]] | None:
@@ -69,9 +59,6 @@ def shortest(rows: Sequence[Sequence[float]], right: Sequence[float]) -> list[fl
     """Give the shortest solution of a linear system with more unknowns than equations."""
     if not rows or not rows[0]:
         return None
-    if len(rows) == 1:
-        square = sum(e * e for e in rows[0])
-        return [right[0] * e / square for e in rows[0]] if square > 0 else None
     sizes = [max(map(abs, row)) or 1.0 for row in rows]
     scaled = [[e / size for e in row] for row, size in zip(rows, sizes, strict=True)]
     products = [[sum(a * b for a, b in zip(one, two, strict=True)) for two in scaled] for one in scaled]
@@ -81,9 +68,6 @@ def shortest(rows: Sequence[Sequence[float]], right: Sequence[float]) -> list[fl
 
 def _steepest(side: Side, point: Sequence[float], moving: Sequence[int], rows: Any) -> list[int]:
     """Choose as many symbols as there are equations, those that move the residuals most and have room to move."""
-    if len(rows) == 1:
-        sizes = [abs(e) * (1.0 if _has_room(side, point, at) else 1e-3) for at, e in zip(moving, rows[0], strict=True)]
-        return [moving[sizes.index(max(sizes))]]
     room = [1.0 if _has_room(side, point, at) else 1e-3 for at in moving]
     left, chosen = [[e * r for e, r in zip(row, room, strict=True)] for row in rows], list[int]()
     for row in left:
@@ -107,9 +91,6 @@ def _has_room(side: Side, point: Sequence[float], at: int) -> bool:
 
 
 def _polished(side: Side, start: Sequence[float], free: Sequence[int], widths: Sequence[float]) -> Zero | None:
-    if len(free) == 1:
-        zero = secant(Line(side, start, free[0]), start[free[0]])
-        return zero if zero is not None and beside(side, zero) is Beside.ZERO else None
     point = [arb(x) for x in start]
     for _ in range(POLISHING):
         step = _step(side.balls, point, free, [arb(width) * BESIDE for width in widths], arb(0))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary
+from collections.abc import Callable, Mapping
+from operator import add
+
+from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children
 
 SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
 
@@ -48,6 +51,36 @@ def factors(tree: Tree) -> list[Tree]:
     if isinstance(tree, Binary) and tree.operator == "*":
         return [*factors(tree.left), *factors(tree.right)]
     return [tree]
+
+
+def degrees(tree: Tree, known: Mapping[str, Mapping[str, int]]) -> dict[str, int]:
+    """Give the degree of a tree in each symbol it holds, as it is written: 1 where it is affine, 2 for all else.
+
+    Args:
+        tree: The tree.
+        known: The degrees of names that stand for other trees.
+    """
+    match tree:
+        case Name(name=name):
+            return dict(known.get(name, {name: 1}))
+        case Unary(operand=operand):
+            return degrees(operand, known)
+        case Binary(operator="+" | "-", left=left, right=right):
+            return _joined(degrees(left, known), degrees(right, known), max)
+        case Binary(operator="*", left=left, right=right):
+            return _joined(degrees(left, known), degrees(right, known), add)
+        case Binary(operator="/", left=left, right=right):
+            return _joined(degrees(left, known), _bent(degrees(right, known)), add)
+        case _:
+            return _bent({name: 1 for part in children(tree) for name in degrees(part, known)})
+
+
+def _joined(one: dict[str, int], other: dict[str, int], join: Callable[[int, int], int]) -> dict[str, int]:
+    return one | {name: min(2, join(one[name], degree)) if name in one else degree for name, degree in other.items()}
+
+
+def _bent(found: dict[str, int]) -> dict[str, int]:
+    return dict.fromkeys(found, 2)
 
 
 def _zero(tree: Tree) -> bool:

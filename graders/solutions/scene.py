@@ -54,13 +54,14 @@ class Scene:
         return not (value < low or value > high)
 
 
-def scene_of(names: Sequence[str], ranges: Sequence[tuple[float, float]], seed: bytes = b"") -> Scene:
+@lru_cache(maxsize=512)
+def scene_of(names: tuple[str, ...], ranges: tuple[tuple[float, float], ...], seed: bytes = b"") -> Scene:
     """Fill a box evenly with points that depend on the seed."""
     points = tuple(
         tuple(low + (high - low) * share for (low, high), share in zip(ranges, shares, strict=True))
         for shares in unit_points(len(ranges), seed)
     )
-    return Scene(tuple(names), tuple(ranges), points)
+    return Scene(names, ranges, points)
 
 
 @lru_cache(maxsize=256)
@@ -176,11 +177,27 @@ class Residuals:
             return False
         return False
 
-    def doubles(self, which: int, point: Sequence[float]) -> list[float] | None:
-        """Give the residuals of one side in doubles; None where they have no finite value."""
+    def _doubles_of(self, which: int) -> Runner:
         runner = self._doubles.get(which)
         if runner is None:
             runner = self._doubles[which] = Runner(self._program(self.sides[which]), DOUBLES)
+        return runner
+
+    def along(self, place: tuple[int, int], base: Sequence[float], at: int, values: Sequence[float]) -> list[float]:
+        """Give one residual in doubles along a symbol, by its side and its place there; NaN where it has no value."""
+        runner, point, found = self._doubles_of(place[0]), list(base), list[float]()
+        self.effort.spend(len(values) * (len(runner.code) // 2 + 2))
+        for value in values:
+            point[at] = value
+            try:
+                found.append(float(runner.run(point)[place[1]]))
+            except (ValueError, ArithmeticError, TypeError):
+                found.append(math.nan)
+        return found
+
+    def doubles(self, which: int, point: Sequence[float]) -> list[float] | None:
+        """Give the residuals of one side in doubles; None where they have no finite value."""
+        runner = self._doubles_of(which)
         self.effort.spend(len(runner.code) // 2 + 2)
         try:
             values: list[float] = run(runner, list(point))

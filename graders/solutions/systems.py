@@ -24,8 +24,9 @@ from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, TooMuc
 from graders.solutions.zeros import Zero
 
 DRAWS = 3  # points at which the dependence is tested
-ENOUGH = 6  # zeros of each side that the other must share
+ENOUGH = 9  # zeros of each side that the other must share
 STARTS = 40
+OTHERS = 2  # starts from which other solutions with the same parameters are looked for
 SYSTEM_WORK = 90_000
 
 
@@ -123,6 +124,18 @@ class Systems:
             zero = projected(side, start, moving[k % 3])
             if zero is not None:
                 yield zero
+                yield from self._assemblies(side, zero, k)
+
+    def _assemblies(self, side: Side, zero: Zero, number: int) -> Iterator[Zero]:
+        """Look for other solutions with the same parameters."""
+        points = self.scene.points
+        for k in range(OTHERS):
+            start = [float(x) for x in zero.point]
+            for at in self.unknowns:
+                start[at] = points[(OTHERS * number + k + 1) % len(points)][at]
+            other = projected(side, start, self.unknowns)
+            if other is not None:
+                yield other
 
     @cached_property
     def starts(self) -> list[list[float]]:

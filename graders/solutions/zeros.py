@@ -93,7 +93,8 @@ def scanned(line: Line, nodes: int = NODES) -> Iterator[Zero]:
     """Find the zeros of a residual along a symbol, also those it touches without a change of sign."""
     low, high = line.ends
     places = [low + (high - low) * k / (nodes - 1) for k in range(nodes)]
-    values = [line.double(x) for x in places]
+    index = line.side.only[line.index] if line.side.only else line.index
+    values = line.side.pair.along((line.side.which, index), line.base, line.at, places)
     for k in range(nodes - 1):
         if values[k] * values[k + 1] < 0 or (values[k] == 0) != (values[k + 1] == 0):
             yield from _between(line, (places[k], places[k + 1]), (values[k], values[k + 1]))

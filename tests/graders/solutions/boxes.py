@@ -14,7 +14,7 @@ RANGES = {
     "z": (-2.0, 2.0), "a": (0.1, 1.0), "b": (0.1, 1.0), "w1": (1.0, 40.0), "w2": (-40.0, 40.0), "w3": (-40.0, 40.0),
 }  # fmt: skip
 SYMBOLS = Symbols(RANGES)
-SCENE = scene_of(list(RANGES), list(RANGES.values()), b"tests")
+SCENE = scene_of(tuple(RANGES), tuple(RANGES.values()), b"tests")
 
 
 def relation(text: str) -> Relation:

@@ -116,7 +116,7 @@ def test_both_sides_of_an_identity_and_of_the_same_text_are_equal() -> None:
 
 
 def test_the_points_are_the_secret_of_the_server() -> None:
-    scenes = [scene_of(["x", "a"], [(0, 2), (0.1, 1)], secret) for secret in (b"one", b"other", b"one")]
+    scenes = [scene_of(("x", "a"), ((0, 2), (0.1, 1)), secret) for secret in (b"one", b"other", b"one")]
     assert scenes[0].points == scenes[2].points != scenes[1].points
 
 
