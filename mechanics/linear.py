@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd
+from operator import mul
 from typing import TypeVar
 
 from mechanics.errors import SingularError
@@ -56,7 +57,7 @@ def solve_with_pivot(
 
 
 def _largest(entries: Sequence[Number]) -> Number:
-    largest = max(abs(entry) for entry in entries)
+    largest = max(map(abs, entries))
     if not largest:
         raise SingularError("an unknown or an equation is empty")
     return largest
@@ -71,7 +72,8 @@ def _scaled(row: Sequence[Number], scales: Sequence[Number], value: Number) -> l
 
 def _eliminate_below(rows: list[list[Number]], column: int, floor: float) -> Number:
     """Clear a column below its pivot; the pivot changes its sign where two rows change places."""
-    best = max(range(column, len(rows)), key=lambda i: abs(rows[i][column]))
+    sizes = [abs(row[column]) for row in rows[column:]]
+    best = column + sizes.index(max(sizes))
     rows[column], rows[best] = rows[best], rows[column]
     pivot = rows[column]
     if abs(pivot[column]) <= (floor if isinstance(pivot[column], float) else 0):
@@ -87,9 +89,8 @@ def _eliminate_below(rows: list[list[Number]], column: int, floor: float) -> Num
 def _back_substituted(rows: list[list[Number]]) -> list[Number]:
     unknowns = [row[-1] for row in rows]
     for i in reversed(range(len(rows))):
-        for j in range(i + 1, len(rows)):
-            unknowns[i] -= rows[i][j] * unknowns[j]
-        unknowns[i] /= rows[i][i]
+        known = sum(map(mul, rows[i][i + 1 : -1], unknowns[i + 1 :]))
+        unknowns[i] = (unknowns[i] - known) / rows[i][i]
     return unknowns
 
 
