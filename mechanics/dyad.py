@@ -12,7 +12,7 @@ from typing import NamedTuple
 from mechanics.errors import AssemblyError, SingularError
 
 REACH = 1e-12  # a gap below this part of the size is rounding, not distance
-DEAD = 1e-7  # sine of the angle between the bars below which it is the root of a rounding error
+DEAD = 1e-6  # sine of the angle between the bars below which a rounded crank angle leaves theirs unknown to 1e-9
 
 
 Vectors = tuple[float, float, float, float, float]  # PQ, GQ and their cross product

@@ -12,7 +12,7 @@ from mechanics.checks import finite, positive
 from mechanics.errors import SingularError
 from mechanics.linkage import LinkageMotion, Singular, principal
 
-DEAD = 1e-7  # part of the longest slide below which the slide is the difference of two rounded numbers
+DEAD = 1e-6  # part of the longest slide below which rounded numbers leave the direction unknown to 1e-9
 DEAD_NAME = "crank pin on the guide pivot"
 
 

@@ -18,7 +18,7 @@ from mechanics.linkage import LinkageMotion, Singular, principal
 Branch = Literal["slider_right", "slider_left"]
 
 REACH = 1e-12  # a gap below this part of the rod is rounding, not distance
-DEAD = 1e-7  # cos alpha2 below this cannot be told from 0: it is the root of a rounding error
+DEAD = 1e-6  # cos alpha2 below which a rounded crank angle leaves alpha2 unknown to 1e-9
 DEAD_NAME = "rod perpendicular to the guide"
 _LARGEST = sys.float_info.max
 

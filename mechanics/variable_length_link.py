@@ -14,7 +14,7 @@ from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import LinkageMotion, Singular
 
 REACH = 1e-12  # a gap below this part of the size is rounding, not distance
-DEAD = 1e-7  # sin beta below this is the root of a rounding error
+DEAD = 1e-6  # sin beta below which a rounded length leaves beta unknown to 1e-9
 DEAD_NAME = "A, B and C in line"
 
 

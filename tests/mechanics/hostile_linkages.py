@@ -194,7 +194,7 @@ def _two_loop(rng: Random) -> float:
 def _inverted_slider(rng: Random) -> float:
     drive, l1 = _drive(rng), _length(rng)
     pivot = _nearly(rng, l1) * exp(1j * _nearly(rng, drive.angle)) if rng.random() < 0.6 else complex(_length(rng), 0.3)
-    with Reasons(0.0, abs(l1 * exp(1j * drive.angle) - pivot) / l1):
+    with Reasons(0.0, (abs(l1 * exp(1j * drive.angle) - pivot) / (l1 + abs(pivot))) ** 2):
         motion = inverted_slider.solve(l1, *drive, (pivot.real, pivot.imag))
     slide = slid(motion, "s")._replace(angle=motion.pos["phi"], omega=motion.vel["phi"], epsilon=motion.acc["phi"])
     return residual([Side(abs(pivot), phase(pivot)), slide, back(Side(l1, *drive))])
