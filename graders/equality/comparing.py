@@ -20,7 +20,7 @@ from graders.equality.turns import Turn, turns
 from graders.judge import Domain, Formula, States
 from graders.language.doubles import DOUBLES, UndefinedError, domain_test
 from graders.language.program import Builder, Program, Runner
-from graders.language.tree import Tree
+from graders.language.tree import Tree, names
 from graders.states import INSIDE, Point, drawn, spread
 
 POINTS = 4  # that balls settle
@@ -114,7 +114,7 @@ class _Pair:
     def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
         self.states, self.mutual = reference.states, mutual
         builder = Builder(self.states.names)
-        for name, line in self.states.lines:
+        for name, line in _needed(self.states.lines, reference.tree, answer):
             builder.define(name, line)
         right = builder.add(reference.tree)
         owned = len(builder.operations)
@@ -179,6 +179,17 @@ class _Pair:
         if found is Finding.DIFFERENT and not self.turns:
             return True
         return self.balls.at(_near(point, self.states.box)) is found
+
+
+def _needed(lines: Sequence[tuple[str, Tree]], *trees: Tree) -> list[tuple[str, Tree]]:
+    """Leave out the lines that no tree stands on: what turns in them does not concern the two."""
+    wanted = frozenset[str]().union(*map(names, trees)) if lines else frozenset()
+    kept = []
+    for name, line in reversed(lines):
+        if name in wanted:
+            kept.append((name, line))
+            wanted |= names(line)
+    return kept[::-1]
 
 
 def _near(point: Point, box: Sequence[Domain]) -> Point:
