@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias, runtime_checkable
+from typing import Any, NamedTuple, Protocol, TypeAlias, runtime_checkable
 
 from graders.language.notes import Note
 from graders.language.symbols import Symbols
@@ -15,8 +15,7 @@ Matrix: TypeAlias = tuple[tuple[float, ...], ...]
 Value: TypeAlias = float | Matrix | str
 
 
-@dataclass(frozen=True, slots=True)
-class Domain:
+class Domain(NamedTuple):
     """The values a symbol can have: an interval, of whole numbers or of doubles."""
 
     low: float

@@ -7,26 +7,28 @@ relative to the larger side, at several points and on both sides of everything t
 from __future__ import annotations
 
 import math
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
 from graders.equality.deciding import Balls, Finding
-from graders.equality.probing import Row, Search, look
+from graders.equality.probing import Row, Search, looks
 from graders.equality.rounding import Rounded, rounded
 from graders.equality.turns import Turn, turns
 from graders.judge import Domain, Formula, States
 from graders.language.doubles import DOUBLES, UndefinedError, domain_test
 from graders.language.program import Builder, Program, Runner
-from graders.language.tree import Tree, names
+from graders.language.tree import Number, Tree, names
 from graders.states import INSIDE, Point, drawn, spread
 
-POINTS = 4  # that balls settle
+FEW = 3  # points that settle two analytic formulas
+POINTS = 4  # that balls settle where something turns
+WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
 LEAST = 8  # points at which a formula that turns has a value
 OPEN = 4  # points that may stay unsettled
 NEAR = 1e-11  # how close by, as a share of a domain
+NOTHING = Number("0")
 SEEN = 1e-9  # a relative difference that doubles see
 
 
@@ -109,23 +111,22 @@ def few(points: Sequence[Point]) -> Iterator[Point]:
 class _Pair:
     """An answer beside a reference: their common program and what doubles see of it."""
 
-    __slots__ = ("balls", "mutual", "points", "program", "rows", "states", "turns")
+    __slots__ = ("balls", "doubles", "lines", "mutual", "points", "program", "rows", "states", "turns", "wide")
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
         self.states, self.mutual = reference.states, mutual
         builder = Builder(self.states.names)
-        for name, line in _needed(self.states.lines, reference.tree, answer):
-            builder.define(name, line)
-        right = builder.add(reference.tree)
-        owned = len(builder.operations)
-        typed = builder.add(answer)
-        self.turns: list[Turn] = turns(builder, owned)
+        lines = _needed(self.states.lines, reference.tree, answer)
+        self.lines = tuple([builder.define(name, line) for name, line in lines])
+        right, typed = builder.add(reference.tree), builder.add(answer)
+        self.turns: list[Turn] = turns(builder, (right, *self.lines), typed)
         self.program: Program = builder.program(right, typed)
-        self.balls = Balls(self.program, mutual)
+        self.balls = Balls(self.program, mutual, self.lines)
         self.points, self.rows = self.states.points, list[Row]()
         if self.turns:
-            runner = Runner(builder.program(right, typed, *(turn.slot for turn in self.turns)), DOUBLES)
-            self.rows = [look(runner, point) for point in self.points]
+            self.wide = builder.program(right, typed, *(turn.slot for turn in self.turns))
+            self.doubles = Runner(self.wide, DOUBLES)
+            self.rows = looks(self.doubles, self.points)
 
     @property
     def values(self) -> int:
@@ -134,50 +135,99 @@ class _Pair:
 
     def compared(self) -> Comparison:
         if not self.turns:
-            return self._settled([Place(point, 0, False) for point in few(self.points)])
-        return self._settled(list(self._ordered()))
-
-    def _ordered(self) -> Iterator[Place]:
-        """Give the points with their patterns of signs, those first where doubles see the two differ most."""
-        places = [(row, point, False) for row, point in zip(self.rows, self.points, strict=True)]
+            return self._smooth()
+        places = self._places(zip(self.rows, self.points, strict=True), None)
+        worst = self._first(place for place in places[:WORST] if place.asked)
+        if worst is not None:
+            return worst
         if self.states.box:
             places += self._beside()
-        places.sort(key=lambda place: -_far(place[0]))
-        for number, (row, point, touched) in enumerate(places):
-            asked = touched or not self.states.box or _far(row) > SEEN
-            yield Place(point, number if touched else tuple([value > 0 for value in row[2:]]), asked)
+        places.sort(key=lambda place: not place.asked)
+        return self._settled(places)
 
-    def _beside(self) -> Iterator[tuple[Row, Point, bool]]:
-        outputs = (*self.program.outputs, *(turn.slot for turn in self.turns))
-        program = Program(self.program.inputs, self.program.literals, self.program.operations, outputs)
-        runner = Runner(program, DOUBLES)
-        for point, touched in Search(program, self.states.box, self.points, self.rows, self.mutual).beside(self.turns):
-            yield look(runner, point), point, touched
+    def _smooth(self) -> Comparison:
+        """Ask the balls at a few points: an analytic difference that is zero there is zero."""
+        settled = unsure = 0
+        for point in few(self.points):
+            found = self.balls.at(point)
+            if found is Finding.EQUAL:
+                settled += 1
+                if settled == FEW:
+                    return Comparison(found)
+            elif found is Finding.UNDECIDED:
+                unsure += 1
+                if unsure > OPEN:
+                    return Comparison(found)
+            elif found is not Finding.NOWHERE and self._lasting(found, point):
+                return self._witnessed(found, point)
+        return self._without_more(settled, unsure)
+
+    def _without_more(self, settled: int, unsure: int) -> Comparison:
+        if not settled:
+            return Comparison(Finding.UNDECIDED if unsure else Finding.NOWHERE)
+        return Comparison(Finding.EQUAL if settled >= min(FEW, len(set(self.points))) else Finding.UNDECIDED)
+
+    def _places(self, looked: Iterable[tuple[Row, Point]], touched: int | None) -> list[Place]:
+        """Order points by how far doubles see the two apart, with the signs of what turns there."""
+        ordered = sorted(((_far(row), row, point) for row, point in looked), key=lambda one: -one[0])
+        every = touched is not None or not self.states.box
+        return [
+            Place(point, touched if touched is not None else tuple([x > 0 for x in row[2:]]), every or far > SEEN)
+            for far, row, point in ordered
+        ]
+
+    def _beside(self) -> list[Place]:
+        """Give points on both sides of everything that turns; each one around a touched zero is asked about."""
+        search = Search(self.wide, self.states.box, self.points, self.rows, self.mutual, self.lines)
+        found = list(search.beside(self.turns))
+        crossed = [point for point, touched in found if not touched]
+        touching = [point for point, touched in found if touched]
+        places = self._places(zip(looks(self.doubles, crossed), crossed, strict=True), None)
+        for number, (row, point) in enumerate(zip(looks(self.doubles, touching), touching, strict=True)):
+            places += self._places([(row, point)], number)
+        return places
+
+    def _first(self, places: Iterable[Place]) -> Comparison | None:
+        """Give the first proved difference."""
+        for place in places:
+            found = self.balls.at(place.point)
+            if found in (Finding.DIFFERENT, Finding.UNDEFINED) and self._lasting(found, place.point):
+                return self._witnessed(found, place.point)
+        return None
 
     def _settled(self, places: Sequence[Place]) -> Comparison:
         """Ask the balls, one point a pattern and four at least, until a difference is proved."""
-        settled, unsure = Counter[object](), Counter[object]()
+        settled, unsure, count = set[object](), set[tuple[object, Point]](), 0
         for point, pattern, asked in places:
-            if settled[pattern] and not asked and settled.total() >= POINTS:
+            if not asked and count >= POINTS and pattern in settled:
                 continue
             found = self.balls.at(point)
             if found is Finding.EQUAL:
-                settled[pattern] += 1
+                settled.add(pattern)
+                count += 1
             elif found is Finding.UNDECIDED:
-                unsure[pattern] += 1
-                if unsure.total() > OPEN:
+                unsure.add((pattern, point))
+                if len(unsure) > OPEN:
                     return Comparison(found)
             elif found is not Finding.NOWHERE and self._lasting(found, point):
-                return Comparison(found, tuple(zip(self.states.names, point, strict=True)))
-        if not settled:
-            return Comparison(Finding.UNDECIDED if unsure else Finding.NOWHERE)
-        enough = settled.total() >= min(POINTS - 1, len({place.point for place in places}))
-        return Comparison(Finding.EQUAL if enough and not set(unsure) - set(settled) else Finding.UNDECIDED)
+                return self._witnessed(found, point)
+        if {pattern for pattern, _ in unsure} - settled:
+            return Comparison(Finding.UNDECIDED)
+        return self._without_more(count, len(unsure))
+
+    def _witnessed(self, found: Finding, point: Point) -> Comparison:
+        return Comparison(found, tuple(zip(self.states.names, point, strict=True)))
+
+    def _assembled(self, point: Point) -> bool:
+        """Tell whether all earlier names have a value, also those that neither formula stands on."""
+        return domain_test(NOTHING, self.states.names, self.states.lines)(point)
 
     def _lasting(self, found: Finding, point: Point) -> bool:
         """Tell whether a difference is there close by as well: a hole or a jump met by chance does not count."""
         if found is Finding.DIFFERENT and not self.turns:
             return True
+        if self.states.lines and point not in self.points and not self._assembled(point):
+            return False
         return self.balls.at(_near(point, self.states.box)) is found
 
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from enum import StrEnum
+from functools import lru_cache
 from typing import Any
 
-from flint import arb
+from flint import arb, ctx
 
-from graders.language.balls import BALLS, precision
+from graders.language.balls import BALLS
 from graders.language.doubles import UndefinedError
 from graders.language.program import Program, Runner
+from graders.states import Point
 
 PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
 SETTLING = 256  # bits from which a ball that touches an edge counts as on it, and two zeros as equal
@@ -34,24 +36,32 @@ class Balls:
     Args:
         program: The outputs are the reference and the answer.
         mutual: Whether a point where only the reference has no value tells the two apart as well.
+        lines: Slots of the earlier names: where one of them has no value there is no state.
     """
 
-    __slots__ = ("mutual", "program", "runners")
+    __slots__ = ("lines", "mutual", "program", "runners")
 
-    def __init__(self, program: Program, mutual: bool) -> None:
-        self.program, self.mutual = program, mutual
+    def __init__(self, program: Program, mutual: bool, lines: Sequence[int] = ()) -> None:
+        self.program, self.mutual, self.lines = program, mutual, tuple(lines)
         self.runners: dict[int, Runner] = {}
 
-    def at(self, point: Sequence[float]) -> Finding:
+    def at(self, point: Point) -> Finding:
         """Decide at a point; NOWHERE where it is no state: where the reference (if mutual: both) has no value."""
+        before = ctx.prec
+        try:
+            return self._at(point)
+        finally:
+            ctx.prec = before
+
+    def _at(self, point: Point) -> Finding:
         radius = math.inf
         for bits in PRECISIONS:
-            with precision(bits):
-                try:
-                    right, typed = self._runner(bits).run([arb(x) for x in point])
-                except UndefinedError:
-                    return self._one_sided(point, bits)
-                found = zero(right, typed, bits)
+            ctx.prec = bits
+            try:
+                right, typed = self._runner(bits).run(exactly(point))
+            except UndefinedError:
+                return self._one_sided(point)
+            found = zero(right, typed, bits)
             if found is not None:
                 return found
             now = float((right - typed).rad())
@@ -66,19 +76,25 @@ class Balls:
             runner = self.runners[bits] = Runner(self.program, BALLS)
         return runner
 
-    def _one_sided(self, point: Sequence[float], bits: int) -> Finding:
-        right, typed = (self._exists(output, point, bits) for output in self.program.outputs)
+    def _one_sided(self, point: Point) -> Finding:
+        one, other = self.program.outputs
+        right, typed = self._exists((one, *self.lines), point), self._exists((other,), point)
         if right and not typed:
             return Finding.UNDEFINED
         return Finding.UNDEFINED if self.mutual and typed and not right else Finding.NOWHERE
 
-    def _exists(self, output: int, point: Sequence[float], bits: int) -> bool:
-        with precision(bits):
-            try:
-                Runner(self.program.only(output), BALLS).run([arb(x) for x in point])
-            except UndefinedError:
-                return False
+    def _exists(self, outputs: tuple[int, ...], point: Point) -> bool:
+        try:
+            Runner(self.program.only(*outputs), BALLS).run(exactly(point))
+        except UndefinedError:
+            return False
         return True
+
+
+@lru_cache(maxsize=4096)
+def exactly(point: Point) -> tuple[arb, ...]:
+    """Give the numbers of a point as balls of no width; points are used again and again."""
+    return tuple(map(arb, point))
 
 
 def zero(right: Any, typed: Any, bits: int) -> Finding | None:

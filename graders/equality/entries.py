@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from flint import arb
 
-from graders.equality.comparing import POINTS, Comparison, compare, few
-from graders.equality.deciding import PRECISIONS, Finding, zero
-from graders.equality.turns import turns
+from graders.equality.comparing import FEW, Comparison, compare, few
+from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
+from graders.equality.turns import TURNING
 from graders.judge import Formula, States
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
@@ -24,9 +24,8 @@ def compare_entries(answers: Sequence[Tree], references: Sequence[Tree], states:
     for name, line in states.lines:
         builder.define(name, line)
     right = [builder.add(tree) for tree in references]
-    owned = len(builder.operations)
     typed = [builder.add(tree) for tree in answers]
-    smooth = not turns(builder, owned)
+    smooth = not any(name in TURNING for name, _ in builder.operations)
     found = _together(builder.program(*right, *typed), states) if smooth else [None] * len(right)
     return [
         EQUAL if one == other else comparison or compare(answer, Formula(tree, states))
@@ -40,9 +39,9 @@ def _together(program: Program, states: States) -> list[Comparison | None]:
     found: list[Comparison | None] = [EQUAL] * count
     with precision(PRECISIONS[0]):
         runner = Runner(program, BALLS)
-        for point in list(few(states.points))[:POINTS]:
+        for point in list(few(states.points))[:FEW]:
             try:
-                values = runner.run([*map(arb, point)])
+                values = runner.run(exactly(point))
             except UndefinedError:
                 return [None] * count
             for at, finding in enumerate(map(_zero, values[:count], values[count:])):

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from graders.equality.sides import Box, Part
+from graders.equality.sides import Box, Found, Part
 from graders.equality.turns import Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
-from graders.language.intervals import INTERVALS
+from graders.language.intervals import INTERVALS, Interval
 from graders.language.program import Program, Runner
 from graders.states import Point
 
+ALIKE = 1e-9  # relative difference of the ratios of two arguments that turn together
 MARGIN = 1e-12  # of an interval's ends, which are not rounded outwards
 
 Row: TypeAlias = list[float]
@@ -39,6 +40,14 @@ def _patiently(runner: Runner, point: Point) -> Row:
     return [slots[slot] for slot in runner.outputs]
 
 
+def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
+    """Run in doubles at many points."""
+    try:
+        return [list(row) for row in runner.columns(points)]
+    except (ValueError, ArithmeticError, TypeError):
+        return [look(runner, point) for point in points]
+
+
 @dataclass(frozen=True, slots=True)
 class Search:
     """A search of a box for both sides of what turns in a program.
@@ -49,6 +58,7 @@ class Search:
         points: Points of the box that were looked at.
         rows: Their outputs, and behind them the values of the turns.
         mutual: Whether a point where only the answer has a value is a state.
+        lines: Slots of the earlier names, which have a value at every state.
     """
 
     program: Program
@@ -56,21 +66,36 @@ class Search:
     points: Sequence[Point]
     rows: Sequence[Row]
     mutual: bool
+    lines: tuple[int, ...] = ()
 
     def beside(self, turns: Sequence[Turn]) -> Iterator[tuple[Point, bool]]:
         """Give points beside each turn; those around a touched zero, where no sign changes, are marked."""
         whole: Box = tuple([(domain.low, domain.high) for domain in self.box])
         slots = Runner(self.program, INTERVALS).slots(whole)
         ranges = [slots[turn.slot] for turn in turns]
-        ends = [turn.edge and not low >= 0 for turn, (low, _) in zip(turns, ranges, strict=True)]
-        guarded = any(end and (turn.shared or self.mutual) for turn, end in zip(turns, ends, strict=True))
-        for number, (turn, (low, high)) in enumerate(zip(turns, ranges, strict=True)):
-            margin = MARGIN * max(abs(low), abs(high))
-            if not (low > margin or high < -margin or (low >= 0 and not turn.edge)):
-                one_sided = low >= 0 or (turn.edge and turn.shared and not self.mutual)
-                yield from self._part(turn, guarded).sides(self._held(number), one_sided)
+        open_turns = [at for at, turn in enumerate(turns) if _open(turn, ranges[at])]
+        if not open_turns:
+            return
+        ends = [at for at in open_turns if turns[at].edge and not ranges[at][0] >= 0]
+        guarded = any(turns[at].right or self.mutual for at in ends)
+        held = {at: self._held(at) for at in open_turns}
+        done: list[int] = []
+        for at in open_turns:
+            alike = [other for other in done if turns[other].edge is turns[at].edge and _alike(held[at], held[other])]
+            if not alike:
+                one_sided = ranges[at][0] >= 0 or (at in ends and self._both_end(turns, held, at))
+                yield from self._part(turns[at], guarded).sides(held[at], one_sided)
+            done.append(at)
 
-    def _held(self, number: int) -> list[tuple[float, Point]]:
+    def _both_end(self, turns: Sequence[Turn], held: Mapping[int, list[Found]], at: int) -> bool:
+        """Tell whether no state lies beyond an edge: the reference (if mutual: both sides) ends there."""
+        like = [
+            turn for other, turn in enumerate(turns) if turn.edge and other in held and _alike(held[at], held[other])
+        ]
+        right, typed = any(turn.right for turn in like), any(turn.typed for turn in like)
+        return right and (typed or not self.mutual)
+
+    def _held(self, number: int) -> list[Found]:
         """Give the values of a turn at the states that were looked at."""
         return [
             (row[2 + number], point)
@@ -81,11 +106,36 @@ class Search:
     def _part(self, turn: Turn, guarded: bool) -> Part:
         alone = self.program.only(turn.slot)
         inputs = {slot for _, arguments in alone.operations for slot in arguments} | set(alone.outputs)
-        guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual]), DOUBLES) if guarded else None
+        guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
+        enough = any if self.mutual else all
 
         def state(point: Point) -> bool:
-            return guard is None or any(map(math.isfinite, look(guard, point)))
+            return not guarded or enough(map(math.isfinite, look(guard, point)))
 
         doubles, intervals = Runner(alone, DOUBLES), Runner(alone, INTERVALS)
         moving = tuple(at for at in range(len(self.box)) if at in inputs)
-        return Part(lambda point: look(doubles, point)[0], state, lambda box: intervals.run(box)[0], self.box, moving)
+        return Part(
+            lambda point: look(doubles, point)[0],
+            state,
+            lambda box: intervals.run(box)[0],
+            self.box,
+            moving,
+            1 + len(alone.operations),
+        )
+
+
+def _open(turn: Turn, values: Interval) -> bool:
+    """Tell whether an argument may change its sign in the box, or touch the zero of an edge."""
+    low, high = values
+    margin = MARGIN * max(abs(low), abs(high))
+    return not (low > margin or high < -margin or (low >= 0 and not turn.edge))
+
+
+def _alike(one: Sequence[Found], other: Sequence[Found]) -> bool:
+    """Tell whether two arguments are proportional at all points, with a positive factor: they turn together."""
+    if one is other:
+        return True
+    if len(one) != len(other) or len(one) < 4:
+        return False
+    ratios = [a / b if b else -1.0 for (a, _), (b, _) in zip(one, other, strict=True)]
+    return min(ratios) > 0 and max(ratios) <= min(ratios) * (1 + ALIKE)

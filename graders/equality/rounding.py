@@ -7,7 +7,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from graders.equality.deciding import SETTLING, Finding
+from graders.equality.deciding import SETTLING, Finding, exactly
 from graders.judge import Formula
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
@@ -30,7 +30,7 @@ class Rounded:
         """Decide at a point: undecided where the literals cancel, so that their ball would accept too much."""
         with precision(SETTLING):
             try:
-                right, typed = Runner(self.program, BALLS).run([*map(arb, point), *map(_ball, self.literals)])
+                right, typed = Runner(self.program, BALLS).run([*exactly(point), *map(_ball, self.literals)])
             except UndefinedError:
                 return Finding.NOWHERE
             if not (right - typed).contains(0):

@@ -12,11 +12,14 @@ from graders.judge import Domain
 from graders.language.intervals import Interval
 from graders.states import Point, near_end
 
-BOXES = 64  # of branch and bound
+BOXES = 40  # of branch and bound, at most
+WORK = 400  # operations on intervals of one branch and bound, but for eight boxes
 HALVINGS = 16  # of the step of a descent
+STILL = 5  # halvings without a lower value, behind which there is none near...
+CLEAR = 0.01  # ...where this share of the greatest value is left
 BISECTIONS = 34
 ASIDE = (1e-3, 1e-6, 1e-10)  # distances from a border, as shares of the way between two points
-END = 1e-9  # distance from the end of a domain, as a share of its width
+END = 1e-12  # distance from the end of a domain, as a share of its width
 TOUCHING = 1e-7  # of the usual size of an argument
 ROUND = 2e-4  # how far from a touched zero, as a share of a domain
 
@@ -34,6 +37,7 @@ class Part:
         bounds: The interval of its values on a box.
         box: The domains of all symbols.
         moving: Numbers of the symbols that it depends on.
+        size: Its number of operations.
     """
 
     value: Callable[[Point], float]
@@ -41,6 +45,7 @@ class Part:
     bounds: Callable[[Box], Interval]
     box: tuple[Domain, ...]
     moving: tuple[int, ...]
+    size: int
 
     def sides(self, held: Sequence[Found], one_sided: bool) -> Iterator[tuple[Point, bool]]:
         """Give points on both sides of the zero, or around a zero that is only touched (marked).
@@ -57,7 +62,7 @@ class Part:
             return
         sign = 1.0 if high[0] > 0 else -1.0
         start, far = (low, high) if sign > 0 else ((-high[0], high[1]), (-low[0], low[1]))
-        best = self._descent(start, sign)
+        best = self._descent(start, sign, far[0])
         if best[0] >= 0 and not one_sided:
             best = self._bounded(best, sign)
         if best[0] < 0:
@@ -65,18 +70,20 @@ class Part:
         elif best[0] <= TOUCHING * far[0]:
             yield from ((point, True) for point in self._round(best[1]))
 
-    def _descent(self, best: Found, sign: float) -> Found:
+    def _descent(self, best: Found, sign: float, usual: float) -> Found:
         """Go down until the sign changes: from corner to corner first, then by ever smaller steps."""
         for high in (False, True, False, True):
             for at in self.moving:
                 best = self._better(best, at, near_end(self.box[at], high, END), sign)
-        step = 0.25
+        step, still = 0.25, 0
         for _ in range(HALVINGS):
-            if best[0] < 0:
+            if best[0] < 0 or (still > STILL and best[0] > CLEAR * usual):
                 break
+            before = best
             for at in self.moving:
                 width = step * (self.box[at].high - self.box[at].low)
                 best = min(self._better(best, at, best[1][at] + way, sign) for way in (-width, width))
+            still = still + 1 if best is before else 0
             step /= 2
         return best
 
@@ -95,7 +102,7 @@ class Part:
         """Branch and bound: a point of the other side, where one is found."""
         whole: Box = tuple([(domain.low, domain.high) for domain in self.box])
         heap = [(self._bound(whole, sign), 0, whole)]
-        for number in range(1, 2 * BOXES, 2):
+        for number in range(1, 2 * min(BOXES, max(8, WORK // (3 * self.size))), 2):
             bound, _, box = heapq.heappop(heap)
             if bound >= 0:
                 break
@@ -123,16 +130,27 @@ class Part:
 
     def _beside(self, one: Point, other: Point) -> Iterator[Point]:
         """Find the border between two points of different sides, and give points on both sides of it."""
-        low, high, first = 0.0, 1.0, self.value(one) > 0
+        low, high = self._border(one, other)
+        for distance in ASIDE:
+            yield self._between(one, other, max(0.0, low - distance))
+            yield self._between(one, other, min(1.0, high + distance))
+
+    def _border(self, one: Point, other: Point) -> tuple[float, float]:
+        """Enclose the border between two points: where a straight line would cross, if that is it, else by halving."""
+        start, end = self.value(one), self.value(other)
+        first, crossing = start > 0, start / (start - end)
+        low, high = max(0.0, crossing - ASIDE[-1] / 4), min(1.0, crossing + ASIDE[-1] / 4)
+        signs = [(self.value(self._between(one, other, share)) > 0) is first for share in (low, high)]
+        if signs == [True, False]:
+            return low, high
+        low, high = 0.0, 1.0
         for _ in range(BISECTIONS):
             middle = (low + high) / 2
             if (self.value(self._between(one, other, middle)) > 0) is first:
                 low = middle
             else:
                 high = middle
-        for distance in ASIDE:
-            yield self._between(one, other, max(0.0, low - distance))
-            yield self._between(one, other, min(1.0, high + distance))
+        return low, high
 
     def _between(self, one: Point, other: Point, share: float) -> Point:
         found = [a + (b - a) * share for a, b in zip(one, other, strict=True)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from graders.language.program import Builder, Operation
@@ -23,29 +24,45 @@ class Turn:
         slot: Where its value stands in the program.
         edge: Whether the formula ends where it is negative, and has a branch point where it is zero; else it goes on
             as another function.
-        shared: Whether the reference turns here too, so that there is no state beyond the edge.
+        right: Whether the reference turns there.
+        typed: Whether the answer does.
     """
 
     slot: int
     edge: bool
-    shared: bool
+    right: bool
+    typed: bool
 
 
-def turns(builder: Builder, owned: int) -> list[Turn]:
-    """Find what turns in a program, adding slots for what has none; the reference owns the first operations."""
-    found: dict[int, Turn] = {}
-    operations = builder.operations
+def turns(builder: Builder, right: Sequence[int], typed: int) -> list[Turn]:
+    """Find what turns in a program of two sides, adding slots for what has none.
+
+    Args:
+        builder: Holds both sides.
+        right: Slots of the reference and of the lines it stands on.
+        typed: Slot of the answer.
+    """
+    operations = tuple(builder.operations)
     if not any(name in TURNING for name, _ in operations):
         return []
     wraps = any(name in WRAPPING for name, _ in operations)
-    for at, operation in enumerate(tuple(operations)):
-        edge = operation[0] not in BRANCHES and operation[0] not in ("min", "max", "atan2", "/", "tan", "cot")
+    sides = [_needed(builder, slots) for slots in (right, (typed,))]
+    found: dict[int, Turn] = {}
+    for at, operation in enumerate(operations, len(builder.inputs)):
         for slot in _turning(builder, operation, wraps):
-            old = found.get(slot)
-            found[slot] = Turn(
-                slot, edge or (old is not None and old.edge), at < owned or (old is not None and old.shared)
-            )
+            old = found.get(slot, Turn(slot, False, False, False))
+            one, other = (at in side for side in sides)
+            found[slot] = Turn(slot, old.edge or operation[0] in ENDING, old.right or one, old.typed or other)
     return list(found.values())
+
+
+def _needed(builder: Builder, outputs: Sequence[int]) -> set[int]:
+    """Find the slots that some slots stand on."""
+    needed, start = set(outputs), len(builder.inputs)
+    for slot in range(start + len(builder.operations) - 1, start - 1, -1):
+        if slot in needed:
+            needed.update(builder.operations[slot - start][1])
+    return needed
 
 
 def _turning(builder: Builder, operation: Operation, wraps: bool) -> tuple[int, ...]:

@@ -79,11 +79,17 @@ def _clamped(x: arb) -> arb:
     return x.nonnegative_part() if ctx.prec >= CLAMPING else UNSURE
 
 
-def _inside_one(x: arb) -> arb:
-    """Cut the part beyond [-1, 1] from a ball that touches an end, so that acos(1±r) has a value."""
+def _asin(x: arb) -> arb:
+    return x.asin() if -1 < x < 1 else arb.pi() / 2 - _acos(x)
+
+
+def _acos(x: arb) -> arb:
+    """Take the arccosine; at the ends by the root of what is left to them, which is cut there."""
     if -1 < x < 1:
-        return x
-    return 1 - _clamped(1 - x) if x > 0 else _clamped(x + 1) - 1
+        return x.acos()
+    if x > 0:
+        return 2 * _clamped((1 - x) / 2).sqrt().asin()
+    return arb.pi() - 2 * _clamped((1 + x) / 2).sqrt().asin()
 
 
 def _logarithm(x: arb) -> arb:
@@ -146,7 +152,7 @@ BALLS = Arithmetic(
         "negate": operator.neg, "degrees": lambda x: x * arb.pi() / 180, "pi": arb.pi,
         "integer_power": _whole_power,
         "sin": arb.sin, "cos": arb.cos, "tan": arb.tan, "cot": arb.cot,
-        "asin": lambda x: _inside_one(x).asin(), "acos": lambda x: _inside_one(x).acos(), "atan": arb.atan,
+        "asin": _asin, "acos": _acos, "atan": arb.atan,
         "acot": lambda x: arb.pi() / 2 - x.atan(), "atan2": _arc,
         "sinh": arb.sinh, "cosh": arb.cosh, "tanh": arb.tanh, "exp": arb.exp, "ln": _logarithm, "log": _tenths,
         "log_base": lambda x, base: _divide(_logarithm(x), _logarithm(base)),

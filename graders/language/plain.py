@@ -1,4 +1,4 @@
-"""The plain part of the language read at once: declared names, numbers, `+ - * / ^`, brackets, calls, matrices.
+"""The plain part of the language read at once: names, numbers, `+ - * / ^`, brackets, calls, `<u>^n`, matrices.
 
 Most answers hold nothing else. Whatever else stands in a text, and every error, is left to the parser, whose trees
 these are: None means *ask the parser*.
@@ -12,7 +12,7 @@ from collections.abc import Callable
 from graders.language.symbols import FUNCTIONS, Symbols, function_named
 from graders.language.tree import Binary, Call, Grid, Number, Tree, Unary, order_exists
 
-PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();]{1,250}")
+PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();<>]{1,250}")
 PIECE = re.compile(r"[A-Za-z][A-Za-z0-9_]*|\d+(?:\.\d+)?|[^ ]")
 BETWEEN = re.compile(r"\] ?[,;] ?\[")
 DECIMAL = re.compile(r"\d,\d")
@@ -107,8 +107,10 @@ class _Reader:
         """Read an operand that is no symbol met before."""
         if piece == "(":
             tree = self.deeper(_Reader.sum)
-            self.close()
+            self.close(")")
             return tree
+        if piece == "<":
+            return self.macaulay()
         if piece[0].isdecimal() and len(piece) < DIGITS:
             return Number(piece)
         known = piece in self.nodes or not piece[0].isalpha()
@@ -121,14 +123,24 @@ class _Reader:
         while not arguments or self.piece == ";":
             self.piece = self.pieces.pop()
             arguments.append(self.deeper(_Reader.sum))
-        self.close()
+        self.close(")")
         least, most = FUNCTIONS[function]
         if not least <= len(arguments) <= most or (function == "macaulay" and not order_exists(arguments[1])):
             raise Unusual
         return Call(function, tuple(arguments))
 
-    def close(self) -> None:
-        if self.piece != ")":
+    def macaulay(self) -> Tree:
+        """Read `<u>^n` with a plain order; without one the parser has to look."""
+        tree = self.deeper(_Reader.sum)
+        self.close(">")
+        self.close("^")
+        order, self.piece = self.piece, self.pieces.pop()
+        if not order.isdecimal() or len(order) > 2 or self.piece == "^":
+            raise Unusual
+        return Call("macaulay", (tree, Number(order)))
+
+    def close(self, bracket: str) -> None:
+        if self.piece != bracket:
             raise Unusual
         self.piece = self.pieces.pop()
 

@@ -180,6 +180,21 @@ class Runner:
         slots = self.slots(values)
         return [slots[slot] for slot in self.outputs]
 
+    def columns(self, rows: Sequence[Sequence[Any]]) -> list[tuple[Any, ...]]:
+        """Compute the outputs for many rows of inputs at once; an error of one row is an error of all."""
+        count = len(rows)
+        if not count:
+            return []
+        slots: list[Any] = [*zip(*rows, strict=True), *([value] * count for value in self.tail)]
+        for function, slot, arity, first, second in self.code:
+            if arity == 2:
+                slots[slot] = list(map(function, slots[first], slots[second]))
+            elif arity == 1:
+                slots[slot] = list(map(function, slots[first]))
+            else:
+                slots[slot] = list(map(function, *[slots[a] for a in first])) if first else [function()] * count
+        return list(zip(*[slots[slot] for slot in self.outputs], strict=True))
+
     def slots(self, values: Sequence[Any]) -> list[Any]:
         """Compute all slots."""
         slots: list[Any] = [*values, *self.tail]

@@ -15,27 +15,8 @@ from graders.language.tokens import tokenize
 from tests.graders.language.trees import NAMES, trees
 
 DECLARED = Symbols([*NAMES, "E", "ln1", "pi0"], ["omega2"])
-OPERANDS = [
-    "l1",
-    "l_1",
-    "x",
-    "E",
-    "omega2",
-    "pi",
-    "2",
-    "0.5",
-    "007",
-    "(x",
-    "(a",
-    "sin(a",
-    "atan2(x",
-    "tg(",
-    "-",
-    "log10(2",
-    "q",
-    "",
-]
-OPERATORS = ["+", "-", "*", "/", "^", ")", "*(", "; ", ")^", " ", ".", "", "e", "1e5", "deg", "+", "*", "/"]
+OPERANDS = [*"xE2-q<", "(x", "(a", "<x", "l_1", "omega2", "pi", "0.5", "007", "sin(a", "atan2(x", "tg(", "log10(2"]
+OPERATORS = [*"+-*/^).;e<>+*/^)", "*(", ")^", "1e5", "deg", ">^2", ">^1+"]
 
 
 def parsed(text: str) -> Tree | None:
@@ -76,6 +57,8 @@ def test_whatever_is_read_quickly_the_parser_reads_alike() -> None:
         "tg(x)",
         "--x*a",
         "((x))",
+        "x*<x - a>^2",
+        "-<x>^0",
     ],
 )
 def test_a_plain_text_is_read_quickly(text: str) -> None:
