@@ -17,8 +17,10 @@ if TYPE_CHECKING:
     from graders.kinds.choices import Choices
     from graders.kinds.dh_table import DHTable
     from graders.kinds.diagram import Diagram
+    from graders.kinds.equation import Equation
     from graders.kinds.expression import Expression
     from graders.kinds.function import Function
+    from graders.kinds.inequality import Inequality
     from graders.kinds.integer import Integer
     from graders.kinds.matrix import Matrix
     from graders.kinds.ordering import Ordering
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from graders.kinds.samples import Series
     from graders.kinds.set import Set
     from graders.kinds.symbolic_matrix import SymbolicMatrix
+    from graders.kinds.system import System
     from graders.kinds.text import Text
 
     KINDS: dict[str, type[Grader]]
@@ -38,8 +41,10 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Choices": "choices",
     "DHTable": "dh_table",
     "Diagram": "diagram",
+    "Equation": "equation",
     "Expression": "expression",
     "Function": "function",
+    "Inequality": "inequality",
     "Integer": "integer",
     "Matrix": "matrix",
     "Ordering": "ordering",
@@ -50,6 +55,7 @@ JUDGES = {  # one row an answer kind: the class and its module, which has the na
     "Series": "samples",
     "Set": "set",
     "SymbolicMatrix": "symbolic_matrix",
+    "System": "system",
     "Text": "text",
 }
 
@@ -63,10 +69,12 @@ __all__ = [
     "Diagram",
     "Domain",
     "Echo",
+    "Equation",
     "Expression",
     "Formula",
     "Function",
     "Grader",
+    "Inequality",
     "Integer",
     "Matrix",
     "Ordering",
@@ -82,6 +90,7 @@ __all__ = [
     "States",
     "SymbolicMatrix",
     "Symbols",
+    "System",
     "Text",
     "Value",
     "Verdict",

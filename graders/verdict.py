@@ -80,6 +80,14 @@ class Code(StrEnum):
     CHAIN_RULE = "chain_rule"
     UNKNOWN_RATE = "unknown_rate"
     WRONG_RATES = "wrong_rates"
+    # equations, systems, inequalities
+    NOT_SATISFIED = "not_satisfied"
+    SOME_EQUATIONS = "some_equations"
+    UNDETERMINED = "undetermined"
+    LOST_SOLUTION = "lost_solution"
+    SURPLUS_SOLUTION = "surplus_solution"
+    BORDER = "border"
+    SENSE_TURNED = "sense_turned"
     # tables of Denavit and Hartenberg
     TABLE_DEGREES = "table_degrees"
     TABLE_ROUNDED = "table_rounded"
@@ -160,6 +168,13 @@ OUTCOMES = {
     Code.CHAIN_RULE: Outcome.PARTLY,
     Code.UNKNOWN_RATE: Outcome.PARTLY,
     Code.WRONG_RATES: Outcome.PARTLY,
+    Code.NOT_SATISFIED: Outcome.WRONG,
+    Code.SOME_EQUATIONS: Outcome.PARTLY,
+    Code.UNDETERMINED: Outcome.WRONG,
+    Code.LOST_SOLUTION: Outcome.PARTLY,
+    Code.SURPLUS_SOLUTION: Outcome.PARTLY,
+    Code.BORDER: Outcome.PARTLY,
+    Code.SENSE_TURNED: Outcome.WRONG,
     Code.TABLE_DEGREES: Outcome.PARTLY,
     Code.TABLE_ROUNDED: Outcome.PARTLY,
     Code.TABLE_CONVENTION: Outcome.PARTLY,

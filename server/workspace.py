@@ -22,8 +22,14 @@ LONG = {
     "text": 6,
     "rates": 3,
     "function": 3,
+    "system": 3,
+    "equation": 2,
+    "inequality": 2,
 }  # lines
-HELPED = ("choices", "dh_table", "diagram", "function", "ordering", "polygon", "rates", "samples", "set")
+HELPED = (
+    "choices", "dh_table", "diagram", "equation", "function", "inequality", "ordering", "polygon", "rates", "samples",
+    "set", "system",
+)  # fmt: skip
 SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
 
 

@@ -50,6 +50,7 @@ class Reason(StrEnum):
     NEEDS_NODES = "needs_nodes"
     NEEDS_LENGTH_AND_ANGLE = "needs_length_and_angle"
     NOT_AN_EQUATION = "not_an_equation"
+    NOT_AN_INEQUALITY = "not_an_inequality"
     NOT_A_CLOSURE = "not_a_closure"
     IMPULSE = "impulse"
     OUT_OF_RANGE = "out_of_range"

@@ -33,7 +33,7 @@ SYSTEM_WORK = 90_000
 def compare_systems(
     answer: Sequence[Relation], reference: Sequence[Relation], scene: Scene, unknowns: Sequence[str]
 ) -> Found:
-    """Compare the solutions of two systems with the same number of equations in a box.
+    """Compare the solutions of two systems in a box.
 
     Args:
         answer: The equations to judge.
@@ -63,6 +63,8 @@ class Systems:
     def by_dependence(self) -> Found | None:
         """Tell whether the answer is a combination of the reference with factors free of the unknowns."""
         count, tested = len(self.trees[0]), 0
+        if len(self.trees[1]) != count:
+            return None
         points = list(exactly(self.scene.points))
         for start in range(0, len(points) - count - 2):
             rows = [self._values(points[start], points[start + k + 1]) for k in range(count + 2)]

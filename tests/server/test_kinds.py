@@ -27,7 +27,8 @@ def test_every_kind_says_how_it_is_typed() -> None:
 
 
 def test_kinds_of_several_lines_have_a_field_of_several_lines() -> None:
-    assert set(LONG) == {"polygon", "rates", "diagram", "function", "samples", "text"}
+    lines = {"polygon", "rates", "diagram", "function", "samples", "text", "equation", "system", "inequality"}
+    assert set(LONG) == lines
     assert set(LONG) <= set(KINDS)
 
 

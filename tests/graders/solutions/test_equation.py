@@ -1,0 +1,71 @@
+"""The judge of an equation: true at every state, determining, no solution lost or brought in."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from graders import AnswerSyntaxError, Code, Equation, Formula
+from graders.language import Reason, parse_line
+from tests.graders.solutions.crank import ALPHA2, GIVEN, L3, STATES, WITH_ROD, passes_its_samples, verdict
+
+ROD = Equation("alpha2", (-1.2, 1.2), "l1*sin(alpha1) + l2*sin(alpha2) = h")
+BOTH = Equation("alpha2", (-pi, pi), "l1*sin(alpha1) + l2*sin(alpha2) = h")
+SLIDER = Equation("l3", (0.0, 0.8))
+
+
+def test_the_judge_passes_its_own_samples() -> None:
+    passes_its_samples(ROD, ALPHA2, GIVEN)
+    passes_its_samples(BOTH, ALPHA2, GIVEN)
+    passes_its_samples(SLIDER, L3, WITH_ROD)
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("h - l2*sin(α2) = l1*sin(α1)", Code.RIGHT, 1),
+        ("sin(α2) = (h - l1 sin α1)/l2", Code.RIGHT, 1),
+        ("α2 = arcsin((h - l1*sin(α1))/l2)", Code.RIGHT, 1),
+        ("(l1*sin(α1) + l2*sin(α2) - h)^2 = 0", Code.RIGHT, 1),
+        ("l1*sin(α1) + l2*sin(α2) = -h", Code.NOT_SATISFIED, 0),
+        ("l1*sin(α1) + l2*cos(α2) = h", Code.NOT_SATISFIED, 0),
+        ("l1*sin(α1) + l2*sin(α2) = h*(1 + 1e-9)", Code.NOT_SATISFIED, 0),
+        ("α2 = α2", Code.UNDETERMINED, 0),
+        ("0 = 0*α2", Code.UNDETERMINED, 0),
+        ("0 = 1", Code.NOT_SATISFIED, 0),
+        ("(l2*sin(α2))^2 = (h - l1*sin(α1))^2", Code.SURPLUS_SOLUTION, 0.5),
+    ],
+)
+def test_an_equation_is_judged_by_its_solutions(typed: str, code: Code, score: float) -> None:
+    found = verdict(ROD, typed, ALPHA2, GIVEN)
+    assert (found.code, found.score) == (code, score)
+
+
+def test_a_lost_assembly_is_named_where_the_span_holds_both() -> None:
+    one = "alpha2 = asin((h - l1*sin(alpha1))/l2)"
+    assert verdict(BOTH, one, ALPHA2, GIVEN).code is Code.LOST_SOLUTION
+    assert verdict(ROD, one, ALPHA2, GIVEN).code is Code.RIGHT
+
+
+def test_a_replaced_step_moves_the_equation_with_it() -> None:
+    slip = Formula(parse_line("-asin((h - l1*sin(alpha1))/l2)"), STATES)
+    assert verdict(ROD, "l1*sin(alpha1) - l2*sin(alpha2) = h", slip, GIVEN).code is Code.RIGHT
+    assert ROD.apart(ALPHA2, slip) == float("inf")
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason"),
+    [
+        ("l1*sin(alpha1)", Reason.NOT_AN_EQUATION),
+        ("l1 = l2 = h", Reason.NOT_AN_EQUATION),
+        ("l1 < l2", Reason.NOT_AN_EQUATION),
+        ("alpha2 = l3", Reason.FORBIDDEN_NAME),
+        ("alpha2 = q", Reason.UNKNOWN_NAME),
+        ("", Reason.EMPTY),
+    ],
+)
+def test_what_is_no_equation_of_the_task_is_unreadable(typed: str, reason: Reason) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        ROD.parse(typed, GIVEN)
+    assert refused.value.reason is reason

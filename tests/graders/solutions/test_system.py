@@ -1,0 +1,73 @@
+"""The judge of a system: every equation true, together determining, no assembly lost."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from graders import AnswerSyntaxError, Code, System
+from graders.language import Reason
+from graders.verdict import Branches
+from tests.graders.solutions.crank import GIVEN, L3, passes_its_samples, verdict
+
+CLOSURE = ("l1*cos(alpha1) + l2*cos(alpha2) = l3", "l1*sin(alpha1) + l2*sin(alpha2) = h")
+CRANK = System(("alpha2", "l3"), ((-1.2, 1.2), (0.0, 0.8)), CLOSURE)
+BOTH = System(("alpha2", "l3"), ((-pi, pi), (-0.8, 0.8)), CLOSURE)
+
+
+def test_the_judge_passes_its_own_samples() -> None:
+    passes_its_samples(CRANK, L3, GIVEN)
+    passes_its_samples(BOTH, L3, GIVEN)
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("l1 sin α1 + l2 sin α2 - h = 0; l3 - l1 cos α1 - l2 cos α2 = 0", Code.RIGHT, 1),
+        ("l3 = l1 cos α1 + l2 cos α2\nsin(α2) = (h - l1 sin α1)/l2", Code.RIGHT, 1),
+        ("l3 = l1 cos α1 + l2 cos α2; l1 sin α1 + l2 sin α2 = h; l1 sin α1 = h - l2 sin α2", Code.RIGHT, 1),
+        ("l3 = l1 cos α1 + l2 cos α2; l1 sin α1 - l2 sin α2 = h", Code.SOME_EQUATIONS, 0.25),
+        ("l3 = l1 cos α1 - l2 cos α2; l1 sin α1 - l2 sin α2 = h", Code.NOT_SATISFIED, 0),
+        ("l3 = l1 cos α1 + l2 cos α2; 2*l3 = 2*l1*cos(α1) + 2*l2*cos(α2)", Code.UNDETERMINED, 0),
+        ("l3 = l1 cos α1 + l2 cos α2", Code.UNDETERMINED, 0),
+        ("l3 = l1 cos α1 + l2 cos α2; (l3 - l1 cos α1)² + (h - l1 sin α1)² = l2²", Code.SURPLUS_SOLUTION, 0.5),
+    ],
+)
+def test_a_system_is_judged_by_its_solutions(typed: str, code: Code, score: float) -> None:
+    found = verdict(CRANK, typed, L3, GIVEN)
+    assert (found.code, found.score) == (code, score)
+
+
+def test_a_lost_assembly_is_named_where_the_spans_hold_both() -> None:
+    one = "l1*sin(alpha1) + l2*sin(alpha2) = h; l3 = l1*cos(alpha1) + sqrt(l2^2 - (h - l1*sin(alpha1))^2)"
+    assert verdict(BOTH, one, L3, GIVEN).code in (Code.LOST_SOLUTION, Code.SURPLUS_SOLUTION)
+    formula = "alpha2 = asin((h - l1*sin(alpha1))/l2); l3 = l1*cos(alpha1) + l2*cos(alpha2)"
+    assert verdict(BOTH, formula, L3, GIVEN).code is Code.LOST_SOLUTION
+    assert verdict(CRANK, formula, L3, GIVEN).code is Code.RIGHT
+
+
+def test_how_many_equations_hold_is_told() -> None:
+    typed = "l3 = l1 cos α1 + l2 cos α2; l1 sin α1 - l2 sin α2 = h"
+    assert verdict(CRANK, typed, L3, GIVEN).details == Branches(1, 2)
+
+
+@pytest.mark.parametrize(
+    ("typed", "reason", "place"),
+    [
+        ("l3 = l1; l3", Reason.NOT_AN_EQUATION, 8),
+        ("l3 = l1; l3 = ", Reason.NEEDS_OPERAND, 14),
+        ("l3 = l1\nl3 = q", Reason.UNKNOWN_NAME, 13),
+        (" ; ", Reason.EMPTY, 0),
+        ("l3 = l1;" * 13, Reason.TOO_LONG, 96),
+    ],
+)
+def test_what_cannot_be_read_has_its_place_in_the_whole_text(typed: str, reason: Reason, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        CRANK.parse(typed, GIVEN)
+    assert (refused.value.reason, refused.value.position) == (reason, place)
+
+
+def test_a_semicolon_inside_brackets_parts_nothing() -> None:
+    read = CRANK.parse("alpha2 = atan2(h; l1); l3 = max(l1; l2)", GIVEN)
+    assert len(read) == 2
