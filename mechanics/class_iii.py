@@ -151,6 +151,8 @@ def _direction(way: complex, arm: float, leg: float, sign: int) -> complex:
     square = way.real * way.real + way.imag * way.imag
     along = (arm * arm + square - leg * leg) / 2
     room = arm * arm * square - along * along
+    if not square:
+        return complex(1.0)  # arm and leg are equal and lie on one another: any direction closes
     return way * complex(along, sign * sqrt(room) if room > 0 else 0.0) / (square * arm)
 
 
@@ -164,6 +166,9 @@ def assemblies(unit: Unit) -> tuple[Assembly, ...]:
 
     Where the two signs of a link meet they are halves of one closed loop, and Phi is smooth along the loop: none hides
     at the end of a branch. A tangency is one assembly of measure zero.
+
+    Raises:
+        SingularError: The unit moves: Phi is zero along a whole branch (passive constraints).
     """
     found: list[Assembly] = []
     rounding = ROUNDING * unit.size**4
@@ -188,12 +193,19 @@ def _loops(room: Callable[[float], float], rounding: float) -> list[_Around]:
     return [_Around((a + b) / 2, (b - a) / 2) for a, b in stretches if room((a + b) / 2) > 0]
 
 
+def _zeros(phi: Callable[[float], float], rounding: float) -> list[loop.Zero]:
+    try:
+        return loop.zeros(phi, rounding)
+    except SingularError:
+        raise SingularError("the unit moves: its constraint function is zero along a whole branch") from None
+
+
 def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], around: _Around) -> Iterator[Assembly]:
     def phi(s: float) -> float:
         t, e2 = around.at(s)
         return _phi(unit, joint_E(t)[1], e2)
 
-    for zero in loop.zeros(phi, ROUNDING * unit.size**2):
+    for zero in _zeros(phi, ROUNDING * unit.size**2):
         t, e2 = around.at(zero.at)
         alpha5, E = joint_E(t)
         F = _end_of_leg(unit, alpha5)

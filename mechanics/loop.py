@@ -8,8 +8,11 @@ apart, and a narrow turn is not passed over.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import pi
+from itertools import pairwise
+from math import isfinite, pi
 from typing import NamedTuple
+
+from mechanics.errors import SingularError
 
 Function = Callable[[float], float]
 
@@ -39,42 +42,51 @@ def zeros(function: Function, rounding: float, cells: int = CELLS) -> list[Zero]
 
     Returns:
         The zeros, rising; two that are nearer than rounding are one double zero.
+
+    Raises:
+        OverflowError: A value is not finite.
+        SingularError: The function is zero along a whole part of the loop.
     """
     step = 2 * pi / (4 * cells)
     values = [function(i * step) for i in range(4 * cells)]
     values.append(values[0])
+    if not all(map(isfinite, values)):
+        raise OverflowError("a value on the loop is beyond the range of floats")
     found: list[Zero] = []
     for i in range(0, 4 * cells, 4):
         a, b, c, d, e = values[i : i + 5]
+        if max(abs(a), abs(b), abs(c), abs(d), abs(e)) <= rounding:
+            raise SingularError(f"the function is zero from {i * step:g} to {(i + 4) * step:g}")
         found += _in_cell(function, i * step, (i + 4) * step, (a, b, c, d, e), rounding)
     return _merged(found)
 
 
 def _in_cell(function: Function, left: float, right: float, values: Values, rounding: float) -> list[Zero]:
     a, b, c, d, e = values
-    if max(abs(value) for value in values) <= rounding:
-        return [Zero((left + right) / 2, True)]
+    sizes = [abs(value) for value in values]
+    middle, narrow, nearest = (left + right) / 2, right - left < NARROW, min(sizes)
+    if max(sizes) <= rounding:
+        return [Zero(middle, True)]
     bends = a - 2 * b + c, b - 2 * c + d, c - 2 * d + e
     bend = max(abs(one) for one in bends)
-    narrow = right - left < NARROW
     if narrow or bend <= rounding or abs(bends[0] - 2 * bends[1] + bends[2]) <= EVENLY * bend:
-        changes = (a < 0) != (e < 0)
-        steepness = min(abs(b - a), abs(c - b), abs(d - c), abs(e - d))
-        if narrow or (steepness > CLEARLY * bend and (b > a) == (c > b) == (d > c) == (e > d)):
-            if changes:
+        if narrow or _monotone(values, CLEARLY * bend):
+            if (a < 0) != (e < 0):
                 return [Zero(between(function, left, right, a, e), False)]
-            return (
-                [Zero((left + right) / 2, True)] if narrow and min(abs(value) for value in values) <= rounding else []
-            )
-        if not changes and min(abs(value) for value in values) > bend and (a < 0) == (c < 0):
+            return [Zero(middle, True)] if narrow and nearest <= rounding else []
+        if nearest > bend + rounding and (a < 0) == (c < 0) == (e < 0):
             return []
     eighth = (right - left) / 8
     new = [function(left + k * eighth) for k in (1, 3, 5, 7)]
-    middle = (left + right) / 2
     return [
         *_in_cell(function, left, middle, (a, new[0], b, new[1], c), rounding),
         *_in_cell(function, middle, right, (c, new[2], d, new[3], e), rounding),
     ]
+
+
+def _monotone(values: Values, least: float) -> bool:
+    steps = [after - before for before, after in pairwise(values)]
+    return min(steps) > least or max(steps) < -least
 
 
 def _merged(found: list[Zero]) -> list[Zero]:

@@ -258,7 +258,7 @@ def _class_iii(rng: Random) -> float:
     unit, alpha5 = nearly_singular_unit(rng)
     found = class_iii.assemblies(unit)
     nearest = min(found, key=lambda one: abs(principal(one.alpha5 - alpha5)))
-    allowed = 1e-8 if nearest.measure > 1e-3 else 1e-4  # where two meet, an angle is the root of a rounding error
+    allowed = 1e-8 if nearest.measure > 1e-3 else 1e-3  # where two meet, an angle is the root of a rounding error
     assert abs(principal(nearest.alpha5 - alpha5)) < allowed, f"the drawn position {alpha5} is not among them"
     worst = 0.0
     for one in found:

@@ -20,7 +20,7 @@ from mechanics.class_iii import (
     critical,
     newton,
 )
-from mechanics.errors import AssemblyError
+from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import principal
 from tests.mechanics.examples.higher_class import unit
 
@@ -144,6 +144,15 @@ def test_a_range_without_a_change_has_no_critical_parameter() -> None:
 def test_a_leg_too_short_leaves_no_assembly() -> None:
     assert assemblies(unit(l_CD=1e-3)) == ()
     assert assemblies(unit(l_HK=1e-3, l_FG=1e-3)) == ()
+
+
+def test_a_unit_on_four_equal_parallel_legs_is_refused_as_one_that_moves() -> None:
+    leg = 0.3 + 0.8j
+    B, C, E, F, H = 0j, 1 + 0.4j, 0.5 + 0.9j, 1.6 + 0.7j, 1.9 + 0.1j
+    sides = abs(B - C), abs(B - E), abs(C - E), abs(leg), abs(E - F), abs(E - H), abs(F - H)
+    moving = Unit(B - leg, C - leg, F - leg, H - leg, abs(leg), *sides, abs(leg), abs(leg), 1, -1)
+    with pytest.raises(SingularError, match="the unit moves"):
+        assemblies(moving)
 
 
 def test_a_branch_out_of_reach_has_no_constraint() -> None:

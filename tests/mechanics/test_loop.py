@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import cos, inf, pi, sin
 
 import pytest
 
+from mechanics.errors import SingularError
 from mechanics.loop import zeros
 
 TINY = 1e-15
@@ -45,3 +46,13 @@ def test_three_zeros_within_one_cell_are_told_apart() -> None:
 def test_zeros_beside_a_narrow_turn_are_not_passed_over() -> None:
     found = zeros(lambda t: (1e-8 + sin((t - 1.0321) / 2) ** 2) ** 0.5 - 0.001, TINY)
     assert len(found) == 2 and found[0].at + found[1].at == pytest.approx(2 * 1.0321, abs=1e-9)
+
+
+def test_a_function_that_is_zero_along_a_part_is_refused() -> None:
+    with pytest.raises(SingularError, match="zero from"):
+        zeros(lambda t: max(0.0, sin(t)), TINY)
+
+
+def test_a_value_that_is_not_finite_is_refused() -> None:
+    with pytest.raises(OverflowError, match="range of floats"):
+        zeros(lambda t: inf if t > 3 else 1.0, TINY)
