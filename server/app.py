@@ -93,12 +93,12 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     settings: Settings = app.state.settings
     if app.state.assets.script is None:
         log.warning("The style sheet and the scripts are not built; pages are plain. Install the project again.")
-    storage = Database(settings.store_url)
+    database = Database(settings.store_url)
     judging = app.state.judging or JudgingThread()
     secret = settings.secret or secret_of(settings.store_url)
-    app.state.bench = Bench(settings, storage, judging, secret, app.state.assets, Limiter())
-    await _purge(storage)
-    purging = asyncio.create_task(_purge_daily(storage))
+    app.state.bench = Bench(settings, database.practice, judging, secret, app.state.assets, Limiter())
+    await _purge(database.practice)
+    purging = asyncio.create_task(_purge_daily(database.practice))
     try:
         yield
     finally:
@@ -106,7 +106,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         with suppress(asyncio.CancelledError):
             await purging
         judging.close()
-        storage.close()
+        database.close()
 
 
 async def _purge_daily(storage: Storage) -> None:

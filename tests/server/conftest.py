@@ -109,7 +109,7 @@ def store_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
 
 
 @pytest.fixture
-def store(store_url: str) -> Iterator[Database]:
+def database(store_url: str) -> Iterator[Database]:
     """An empty store."""
     made = Database(store_url)
     yield made

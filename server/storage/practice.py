@@ -1,4 +1,4 @@
-"""What rests on disk, and what every store of it promises; `database.py` is the store."""
+"""Owners, variants, submissions and their grades, and what a store of them promises."""
 
 from __future__ import annotations
 
@@ -8,18 +8,6 @@ from datetime import datetime
 from typing import Any, Protocol, TypeAlias
 
 Answers: TypeAlias = Mapping[str, str | list[str]]
-
-
-class StorageUnavailable(RuntimeError):
-    """Nothing was stored and nothing is promised; the same request may be tried again."""
-
-
-class KeyReused(ValueError):
-    """The idempotency key was used before with another body."""
-
-
-class UnknownVariant(KeyError):
-    """No such variant, or it has expired."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +70,7 @@ class Marked:
 
 
 class Storage(Protocol):
-    """A store. A write that has returned is on disk; one that raised left nothing behind."""
+    """A store of practice. A write that has returned is on disk; one that raised left nothing behind."""
 
     async def keep_variant(self, variant: Dealt) -> None:
         """Store a new variant, and its owner if new."""
@@ -127,8 +115,4 @@ class Storage(Protocol):
 
     async def check(self) -> None:
         """Raise StorageUnavailable unless the store answers."""
-        ...
-
-    def close(self) -> None:
-        """Finish what is under way and let go of the files."""
         ...

@@ -1,0 +1,21 @@
+"""The store in a relational database, one file a noun: the same code on SQLite and on PostgreSQL."""
+
+from __future__ import annotations
+
+from server.database.connections import Connections
+from server.database.practice import Practice
+from server.database.secret import secret_of
+
+__all__ = ["Database", "secret_of"]
+
+
+class Database:
+    """All that rests, by noun, over one writer and one set of readers."""
+
+    def __init__(self, url: str) -> None:
+        self._connections = Connections(url)
+        self.practice = Practice(self._connections)
+
+    def close(self) -> None:
+        """Finish what is under way and let go of the files."""
+        self._connections.close()
