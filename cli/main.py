@@ -26,6 +26,8 @@ COMMANDS = {
     "new": "start a new exercise from a template",
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
+    "backup": "copy the embedded store",
+    "restore": "take a copy of the embedded store back",
 }
 
 

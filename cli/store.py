@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from cli.problems import Unusable
+from server.backup import BackupError
 from server.migrate import MigrationError
 from server.settings import Settings, SettingsError, from_environment
 
@@ -29,5 +30,5 @@ def usable() -> Iterator[None]:
     """Turn settings that the server refuses into unusable input."""
     try:
         yield
-    except (SettingsError, MigrationError) as error:
+    except (SettingsError, MigrationError, BackupError) as error:
         raise Unusable("settings", why=error) from error

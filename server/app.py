@@ -19,6 +19,7 @@ from server import (
     errors,
     exercises,
     health,
+    metrics,
     pages,
     policy,
     reports,
@@ -40,6 +41,7 @@ IDLE = timedelta(days=30)  # anonymous practice is forgotten after
 PURGE = 24 * 3600.0  # s between two purges
 ROUTERS = (
     health.router,
+    metrics.router,
     exercises.router,
     variants.router,
     submissions.router,
@@ -79,6 +81,7 @@ def create_app(settings: Settings, *, judging: Judging | None = None) -> FastAPI
     app.state.settings = settings
     app.state.judging = judging
     app.state.assets = static_files.find()
+    app.state.metrics = metrics.Metrics()
     for router in (description, *ROUTERS):
         app.router.routes.extend(router.routes)
     app.router.routes.append(Mount("/static", static_files.Static()))

@@ -5,13 +5,16 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+from time import perf_counter
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from server import logs
 from server.errors import Refused, respond
 
+METHODS = ("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS")
 LARGEST_BODY = 64 * 1024  # bytes
 SLOWEST_BODY = 20.0  # s
 log = logging.getLogger("grubler")
@@ -46,7 +49,7 @@ class Envelope:
             return
         head = scope["method"] == "HEAD"  # answered as GET, without the body
         scope = {**scope, "request_id": f"r-{secrets.token_hex(5)}"} | ({"method": "GET"} if head else {})
-        sealed = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]}, head)
+        sealed, start = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]}, head), perf_counter()
         try:
             await self._app(scope, bounded(Headers(scope=scope), receive), sealed)
         except Exception:  # nothing of ours may reach the reader but its number
@@ -54,6 +57,17 @@ class Envelope:
             if sealed.begun:
                 raise
             await respond(Request(scope), Refused(500, "our_fault"))(scope, receive, sealed)
+        finally:
+            _note(scope, "HEAD" if head else scope["method"], sealed.status, perf_counter() - start)
+
+
+def _note(scope: Scope, method: str, status: int, seconds: float) -> None:
+    """Count and log a request under the pattern of its route; an unknown one has none."""
+    route = getattr(scope.get("route"), "path", "") or "unknown"
+    known = method if method in METHODS else "OTHER"
+    scope["app"].state.metrics.answered(known, route, status, seconds)
+    fields = {"method": known, "route": route, "status": status, "ms": round(1e3 * seconds, 1)}
+    logs.answered({"request": scope["request_id"], **fields})
 
 
 class Sealed:
@@ -64,11 +78,12 @@ class Sealed:
         self._headers = headers
         self._head = head
         self.begun = False
+        self.status = 0  # none was sent
 
     async def __call__(self, message: Message) -> None:
         """Send one message."""
         if message["type"] == "http.response.start":
-            self.begun = True
+            self.begun, self.status = True, message["status"]
             headers = MutableHeaders(scope=message)
             headers.update(self._headers)
             headers.setdefault("Cache-Control", "no-store")

@@ -22,6 +22,7 @@ class Role(IntEnum):
 POLICIES: dict[tuple[str, str], Role] = {
     ("GET", "/health"): Role.ANONYMOUS,
     ("GET", "/ready"): Role.ANONYMOUS,
+    ("GET", "/metrics"): Role.ADMINISTRATOR,
     ("GET", "/api/v1/openapi.json"): Role.ANONYMOUS,
     ("GET", "/api/v1/exercises"): Role.ANONYMOUS,
     ("GET", "/api/v1/exercises/{exercise}"): Role.ANONYMOUS,

@@ -7,8 +7,8 @@ from socket import socket
 
 import uvicorn
 
+from server import logs, tokens
 from server import migrate as migrations
-from server import tokens
 from server.app import create_app
 from server.database import secret_of
 from server.settings import Settings, SettingsError, check
@@ -22,6 +22,7 @@ def serve(settings: Settings) -> None:
         MigrationError: A newer version of the program has written the store.
     """
     check(settings)
+    logs.install(settings.log)
     if settings.embedded:
         migrate(settings)
     elif not migrations.current(settings.store_url):

@@ -10,6 +10,7 @@ from urllib.parse import urlsplit
 
 DEFAULT_PORT = 8000
 HIGHEST_PORT = 65535
+LOGS = ("text", "json")
 
 
 class SettingsError(ValueError):
@@ -29,6 +30,7 @@ class Settings:
         public_url: The address people type, where a proxy stands in front.
         insecure_http: Whether a plain-http address other than loopback is allowed.
         limited: Whether posts of one person and of one address are limited.
+        log: "text" for warnings only, "json" for a line of every request.
     """
 
     data_dir: Path = Path("data")
@@ -39,6 +41,7 @@ class Settings:
     public_url: str | None = None
     insecure_http: bool = False
     limited: bool = True
+    log: str = "text"
 
     @property
     def store_url(self) -> str:
@@ -78,7 +81,7 @@ def from_environment(
     """Make settings from the environment; what is given by name goes before it.
 
     Raises:
-        SettingsError: GRUBLER_PORT is not a port.
+        SettingsError: GRUBLER_PORT is not a port, or GRUBLER_LOG no kind of log.
     """
     secret = environ.get("GRUBLER_SECRET")
     return Settings(
@@ -89,7 +92,14 @@ def from_environment(
         secret=secret.encode() if secret else None,
         public_url=public_url or environ.get("GRUBLER_PUBLIC_URL") or None,
         insecure_http=insecure_http,
+        log=_log(environ.get("GRUBLER_LOG") or "text"),
     )
+
+
+def _log(kind: str) -> str:
+    if kind not in LOGS:
+        raise SettingsError(f"GRUBLER_LOG is one of {', '.join(LOGS)}, not {kind!r}")
+    return kind
 
 
 def _port(text: str) -> int:
