@@ -184,20 +184,20 @@ def assemblies(unit: Unit) -> tuple[Assembly, ...]:
     return tuple(sorted(found, key=lambda one: one.alpha5))
 
 
+def _zeros(closure: Callable[[float], float], rounding: float) -> list[loop.Zero]:
+    try:
+        return loop.zeros(closure, rounding)
+    except SingularError:
+        raise SingularError("the unit moves, or as good as: a closure is zero along a whole branch") from None
+
+
 def _loops(room: Callable[[float], float], rounding: float) -> list[_Around]:
     """Divide a loop into the loops of both signs of the next link, which lives where its room is positive."""
-    ends = [zero.at for zero in loop.zeros(room, rounding) if not zero.double]
+    ends = [zero.at for zero in _zeros(room, rounding) if not zero.double]
     if not ends:
         return [_Around(sign=1), _Around(sign=-1)] if room(0.0) > 0 else []
     stretches = zip(ends, [*ends[1:], ends[0] + 2 * pi], strict=True)
     return [_Around((a + b) / 2, (b - a) / 2) for a, b in stretches if room((a + b) / 2) > 0]
-
-
-def _zeros(phi: Callable[[float], float], rounding: float) -> list[loop.Zero]:
-    try:
-        return loop.zeros(phi, rounding)
-    except SingularError:
-        raise SingularError("the unit moves: its constraint function is zero along a whole branch") from None
 
 
 def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], around: _Around) -> Iterator[Assembly]:

@@ -21,6 +21,7 @@ EVENLY = 0.5  # of the greatest bend that bends may be off a straight row
 CLEARLY = 2.0  # times its greatest bend that a function must rise from value to value to be taken as monotone
 NARROW = 1e-9  # a cell as narrow is not halved
 NEAR = 1e-6  # zeros as near to a tangency belong to it
+MOST = 2000  # cells that are looked at
 STEPS, CLOSE = 200, 1e-14  # of false position; its last step
 
 
@@ -30,6 +31,7 @@ class Zero(NamedTuple):
 
 
 Values = tuple[float, float, float, float, float]  # at the ends, the middle and the quarters of a cell
+_Cell = tuple[float, float, Values]  # from left to right
 
 
 def zeros(function: Function, rounding: float, cells: int = CELLS) -> list[Zero]:
@@ -45,43 +47,55 @@ def zeros(function: Function, rounding: float, cells: int = CELLS) -> list[Zero]
 
     Raises:
         OverflowError: A value is not finite.
-        SingularError: The function is zero along a whole part of the loop.
+        SingularError: The function is zero, or cannot be told from zero, along a whole part of the loop.
     """
     step = 2 * pi / (4 * cells)
     values = [function(i * step) for i in range(4 * cells)]
     values.append(values[0])
     if not all(map(isfinite, values)):
         raise OverflowError("a value on the loop is beyond the range of floats")
-    found: list[Zero] = []
+    cells_left: list[_Cell] = []
     for i in range(0, 4 * cells, 4):
         a, b, c, d, e = values[i : i + 5]
         if max(abs(a), abs(b), abs(c), abs(d), abs(e)) <= rounding:
             raise SingularError(f"the function is zero from {i * step:g} to {(i + 4) * step:g}")
-        found += _in_cell(function, i * step, (i + 4) * step, (a, b, c, d, e), rounding)
-    return _merged(found)
+        cells_left.append((i * step, (i + 4) * step, (a, b, c, d, e)))
+    found: list[Zero] = []
+    for _ in range(MOST):
+        if not cells_left:
+            return _merged(sorted(found))
+        cell = cells_left.pop()
+        zero = _known(function, *cell, rounding)
+        if zero is None:
+            cells_left += _halves(function, *cell)
+        else:
+            found += zero
+    raise SingularError("the function cannot be told from zero along a part of the loop")
 
 
-def _in_cell(function: Function, left: float, right: float, values: Values, rounding: float) -> list[Zero]:
-    a, b, c, d, e = values
+def _known(function: Function, left: float, right: float, values: Values, rounding: float) -> list[Zero] | None:
+    """Give the zeros of a cell; None where five values do not tell them."""
+    a, _, c, _, e = values
     sizes = [abs(value) for value in values]
     middle, narrow, nearest = (left + right) / 2, right - left < NARROW, min(sizes)
     if max(sizes) <= rounding:
         return [Zero(middle, True)]
-    bends = a - 2 * b + c, b - 2 * c + d, c - 2 * d + e
+    bends = [before - 2 * here + after for before, here, after in zip(values, values[1:], values[2:], strict=False)]
     bend = max(abs(one) for one in bends)
-    if narrow or bend <= rounding or abs(bends[0] - 2 * bends[1] + bends[2]) <= EVENLY * bend:
-        if narrow or _monotone(values, CLEARLY * bend):
-            if (a < 0) != (e < 0):
-                return [Zero(between(function, left, right, a, e), False)]
-            return [Zero(middle, True)] if narrow and nearest <= rounding else []
-        if nearest > bend + rounding and (a < 0) == (c < 0) == (e < 0):
-            return []
-    eighth = (right - left) / 8
-    new = [function(left + k * eighth) for k in (1, 3, 5, 7)]
-    return [
-        *_in_cell(function, left, middle, (a, new[0], b, new[1], c), rounding),
-        *_in_cell(function, middle, right, (c, new[2], d, new[3], e), rounding),
-    ]
+    if not narrow and bend > rounding and abs(bends[0] - 2 * bends[1] + bends[2]) > EVENLY * bend:
+        return None
+    if narrow or _monotone(values, CLEARLY * bend):
+        if (a < 0) != (e < 0):
+            return [Zero(between(function, left, right, a, e), False)]
+        return [Zero(middle, True)] if narrow and nearest <= rounding else []
+    return [] if nearest > bend + rounding and (a < 0) == (c < 0) == (e < 0) else None
+
+
+def _halves(function: Function, left: float, right: float, values: Values) -> list[_Cell]:
+    a, b, c, d, e = values
+    eighth, middle = (right - left) / 8, (left + right) / 2
+    first, second, third, fourth = (function(left + k * eighth) for k in (1, 3, 5, 7))
+    return [(left, middle, (a, first, b, second, c)), (middle, right, (c, third, d, fourth, e))]
 
 
 def _monotone(values: Values, least: float) -> bool:
