@@ -1,0 +1,1 @@
+"""Task sets: their rules, dealing and publishing, handing in, building."""

@@ -1,0 +1,55 @@
+"""Moments as a course writes them: local time in its zone, stored in UTC."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+
+class NoSuchMoment(ValueError):
+    """The text is no moment in this time zone."""
+
+
+def zone(name: str) -> ZoneInfo:
+    """Give a time zone by its name.
+
+    Raises:
+        NoSuchMoment: There is none.
+    """
+    try:
+        return ZoneInfo(name)
+    except (ZoneInfoNotFoundError, ValueError, OSError):
+        raise NoSuchMoment(name) from None
+
+
+def read(text: str, place: ZoneInfo) -> datetime:
+    """Read a moment such as ``2026-11-30T08:00``; without an offset it is local time of the course.
+
+    An hour that the autumn change repeats is the later one, so that a deadline is never earlier than it reads.
+
+    Raises:
+        NoSuchMoment: Not a moment, or an hour that the spring change leaves out.
+    """
+    try:
+        written = datetime.fromisoformat(text.strip())
+    except ValueError:
+        raise NoSuchMoment(text) from None
+    if not 2000 <= written.year <= 2999:
+        raise NoSuchMoment(text)
+    if written.tzinfo is not None:
+        return written.astimezone(UTC)
+    moment = written.replace(tzinfo=place, fold=1).astimezone(UTC)
+    if moment.astimezone(place).replace(tzinfo=None) != written:
+        raise NoSuchMoment(text)
+    return moment
+
+
+def local(moment: datetime, place: ZoneInfo) -> str:
+    """Write a moment in local time to the minute, as a form shows it."""
+    return moment.astimezone(place).strftime("%Y-%m-%dT%H:%M")
+
+
+def shifted(moment: datetime, days: int, place: ZoneInfo) -> datetime:
+    """Move a moment by whole days; the hour on the wall stays."""
+    wall = moment.astimezone(place).replace(tzinfo=None) + timedelta(days=days)
+    return wall.replace(tzinfo=place).astimezone(UTC)

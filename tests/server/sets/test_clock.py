@@ -1,0 +1,49 @@
+"""Local time of a course, also on the two days a year on which the clocks change in Warsaw."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+
+import pytest
+
+from server.sets.clock import NoSuchMoment, local, read, shifted, zone
+
+WARSAW = zone("Europe/Warsaw")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("2026-11-30T08:00", datetime(2026, 11, 30, 7, tzinfo=UTC)),
+        ("2026-07-01 23:59", datetime(2026, 7, 1, 21, 59, tzinfo=UTC)),
+        ("2026-10-25T02:30", datetime(2026, 10, 25, 1, 30, tzinfo=UTC)),  # comes twice: the later one
+        ("2026-03-29T01:59", datetime(2026, 3, 29, 0, 59, tzinfo=UTC)),
+        ("2026-03-29T03:00", datetime(2026, 3, 29, 1, 0, tzinfo=UTC)),  # one minute after 01:59
+        ("2026-11-30T08:00+00:00", datetime(2026, 11, 30, 8, tzinfo=UTC)),
+    ],
+)
+def test_local_time_is_read(text: str, expected: datetime) -> None:
+    assert read(text, WARSAW) == expected
+
+
+@pytest.mark.parametrize("text", ["", "soon", "2026-13-01T08:00", "2026-03-29T02:30", "0001-01-01T00:00", "9999-12-31"])
+def test_what_is_no_moment_is_refused(text: str) -> None:
+    with pytest.raises(NoSuchMoment):
+        read(text, WARSAW)
+
+
+def test_a_moment_is_written_as_it_was_read() -> None:
+    assert local(read("2026-07-01T23:59", WARSAW), WARSAW) == "2026-07-01T23:59"
+
+
+def test_a_shift_by_days_keeps_the_hour_on_the_wall() -> None:
+    before = read("2026-03-27T23:59", WARSAW)
+    after = shifted(before, 7, WARSAW)
+    assert local(after, WARSAW) == "2026-04-03T23:59"
+    assert after - before == timedelta(days=7, hours=-1)
+
+
+def test_a_zone_that_does_not_exist_is_refused() -> None:
+    for name in ("Europe/Atlantis", "../etc", ""):
+        with pytest.raises(NoSuchMoment):
+            zone(name)
