@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from graders.comparison.outcome import EQUAL, UNDECIDED, Answer, Verdict, Why, different
+from graders.comparison.outcome import EQUAL, NOWHERE, UNDECIDED, Answer, Verdict, Why, different
 from graders.comparison.request import Request
 from graders.comparison.texts import trees
-from graders.equality import Finding, between
+from graders.equality import Comparison, Finding, between, between_entries
 from graders.judge import Domain
 from graders.language.tree import Binary, Call, Grid, Index, Name, Relation, Tree, Unary, walk
 
@@ -30,8 +30,8 @@ def compare_matrices(request: Request, secret: bytes) -> Answer:
         return different(Why.SHAPE)
     if (len(a.rows), len(a.rows[0])) != (len(b.rows), len(b.rows[0])):
         return different(Why.SHAPE)
-    pairs = [pair for rows in zip(a.rows, b.rows, strict=True) for pair in zip(*rows, strict=True)]
-    return _worst([compared(one, other, request, secret) for one, other in dict.fromkeys(pairs)])
+    one, other = ([filled(entry, request.fixed) for row in grid.rows for entry in row] for grid in (a, b))
+    return _worst([_answered(found) for found in between_entries(one, other, _box(request), secret)])
 
 
 def compare_lists(request: Request, secret: bytes) -> Answer:
@@ -61,13 +61,21 @@ def _worst(answers: Sequence[Answer]) -> Answer:
 
 def compared(a: Tree, b: Tree, request: Request, secret: bytes) -> Answer:
     """Compare two formulas on the box of a request."""
-    box = {name: Domain(low, high) for name, (low, high) in request.box.items()}
-    found = between(filled(a, request.fixed), filled(b, request.fixed), box, secret)
+    return _answered(between(filled(a, request.fixed), filled(b, request.fixed), _box(request), secret))
+
+
+def _box(request: Request) -> dict[str, Domain]:
+    return {name: Domain(low, high) for name, (low, high) in request.box.items()}
+
+
+def _answered(found: Comparison) -> Answer:
     match found.finding:
         case Finding.EQUAL:
             return EQUAL
         case Finding.UNDECIDED:
             return UNDECIDED
+        case Finding.NOWHERE:
+            return NOWHERE
         case finding:
             return different(Why.UNDEFINED if finding is Finding.UNDEFINED else Why.VALUE, found.witness)
 

@@ -32,6 +32,7 @@ class Why(StrEnum):
     COUNT = "count"
     DIMENSION = "dimension"
     UNDECIDED = "undecided"
+    NOWHERE = "nowhere"  # neither has a value anywhere
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +54,7 @@ class Answer:
 
 EQUAL = Answer(Verdict.EQUAL, Why.EQUAL)
 UNDECIDED = Answer(Verdict.UNDECIDED, Why.UNDECIDED)
+NOWHERE = Answer(Verdict.UNDECIDED, Why.NOWHERE)
 
 
 def different(why: Why, witness: Iterable[tuple[str, float]] = ()) -> Answer:

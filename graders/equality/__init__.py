@@ -2,6 +2,6 @@
 
 from graders.equality.comparing import Comparison, between, compare
 from graders.equality.deciding import Finding
-from graders.equality.entries import compare_entries
+from graders.equality.entries import between_entries, compare_entries
 
-__all__ = ["Comparison", "Finding", "between", "compare", "compare_entries"]
+__all__ = ["Comparison", "Finding", "between", "between_entries", "compare", "compare_entries"]

@@ -85,7 +85,7 @@ def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") ->
         box: The domain of each symbol.
         chance: What the points depend on.
     """
-    pair = _Pair(b, Formula(a, _spread(tuple(box.items()), chance)), mutual=True)
+    pair = _Pair(b, Formula(a, spread_over(tuple(box.items()), chance)), mutual=True)
     if not pair.turns or pair.values >= LEAST:
         return pair.compared()
     one, other = domain_test(a, tuple(box), ()), domain_test(b, tuple(box), ())
@@ -97,7 +97,8 @@ def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") ->
 
 
 @lru_cache(maxsize=256)
-def _spread(box: tuple[tuple[str, Domain], ...], chance: bytes) -> States:
+def spread_over(box: tuple[tuple[str, Domain], ...], chance: bytes) -> States:
+    """Draw points of a box once."""
     return spread(dict(box), chance)
 
 

@@ -10,7 +10,7 @@ from graders import comparison
 from graders.comparison.request import LISTS
 from tests.corpus import Pair, pairs
 
-KINDS = ("equation", "system", "inequality", "unordered_list", "quantity")
+KINDS = ("equation", "system", "inequality", "unordered_list", "quantity", "matrix")
 
 
 def asked(pair: Pair, turned: bool = False) -> dict[str, Any]:
@@ -46,7 +46,7 @@ def test_every_difference_of_solutions_has_its_witness() -> None:
 
 @pytest.mark.parametrize(
     ("kind", "least"),
-    [("equation", 60), ("system", 30), ("inequality", 30), ("unordered_list", 20), ("quantity", 40)],
+    [("equation", 60), ("system", 30), ("inequality", 30), ("unordered_list", 20), ("quantity", 40), ("matrix", 30)],
 )
 def test_the_corpus_is_large_and_no_verdict_dominates(kind: str, least: int) -> None:
     verdicts = [pair.verdict for pair in pairs(kind)]
