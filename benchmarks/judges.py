@@ -1,8 +1,8 @@
 """Judges on the settled pairs of the corpus, kind by kind: wrong and open verdicts, times; formulas beside peers.
 
-Every time is that of the cold texts: both are read, compiled and compared (least of three runs a pair). The peers get the
-same pairs as texts: SymPy `simplify(a - b) == 0`, mpmath at 50 digits at sixteen points, and SymPy's `a.equals(b)`
-as PrairieLearn asks it; each has a limit a pair, and a pair without a verdict counts as open.
+Every time is that of the cold texts: both are read, compiled and compared (least of three runs a pair). The peers get
+the same pairs as texts: SymPy `simplify(a - b) == 0`, mpmath at 50 digits at sixteen points, and `a.equals(b)` as
+PrairieLearn asks it; each has a limit a pair, and a pair without a verdict counts as open.
 Run: ``uv run python benchmarks/judges.py [--peers 150] [--limit 2]``; ``--peers 0`` leaves them out.
 Exit code 1 when a verdict is wrong or a target is missed.
 """
@@ -112,7 +112,7 @@ def fields() -> Tally:
     for unit, typed, true, right in FIELDS:
         judge = Quantity(unit)
         found, seconds = timed(
-            lambda judge=judge, typed=typed, true=true: judge.check(judge.parse(typed, nothing), true)
+            lambda judge=judge, typed=typed, true=true: judge.check(judge.parse(typed, Symbols(())), true)
         )
         tally.add(typed, str(right), str(found.score == 1), seconds)
     return tally

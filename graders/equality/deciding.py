@@ -39,19 +39,23 @@ class Balls:
         lines: Slots of the earlier names: where one of them has no value there is no state.
     """
 
-    __slots__ = ("lines", "mutual", "program", "runners")
+    __slots__ = ("known", "lines", "mutual", "program", "runners")
 
     def __init__(self, program: Program, mutual: bool, lines: Sequence[int] = ()) -> None:
         self.program, self.mutual, self.lines = program, mutual, tuple(lines)
         self.runners: dict[int, Runner] = {}
+        self.known: dict[Point, Finding] = {}
 
     def at(self, point: Point) -> Finding:
         """Decide at a point; NOWHERE where it is no state: where the reference (if mutual: both) has no value."""
+        if point in self.known:
+            return self.known[point]
         before = ctx.prec
         try:
-            return self._at(point)
+            found = self.known[point] = self._at(point)
         finally:
             ctx.prec = before
+        return found
 
     def _at(self, point: Point) -> Finding:
         radius = math.inf
@@ -100,13 +104,12 @@ def exactly(point: Point) -> tuple[arb, ...]:
 def zero(right: Any, typed: Any, bits: int) -> Finding | None:
     """Decide whether two balls are equal relative to the larger; None asks for more precision."""
     difference = right - typed
-    upper, least = difference.abs_upper(), max(right.abs_lower(), typed.abs_lower())
-    if upper < least * SMALL:
+    if abs(difference) < abs(right) * SMALL:
         return Finding.EQUAL
     if not difference.is_finite():
         return None
     if difference.abs_lower() > max(right.abs_upper(), typed.abs_upper()) * SMALL:
         return Finding.DIFFERENT
-    if least > 0 or bits < SETTLING:
+    if bits < SETTLING or right.abs_lower() > 0 or typed.abs_lower() > 0:
         return None
-    return Finding.EQUAL if difference.contains(0) and upper < arb(2) ** (-bits // 5) else None
+    return Finding.EQUAL if difference.contains(0) and difference.abs_upper() < arb(2) ** (-bits // 5) else None

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from graders.equality.comparing import FEW, Comparison, between, compare, few, spread_over
+from graders.equality.comparing import between, compare, spread_over
 from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
+from graders.equality.pair import FEW, Comparison, few
 from graders.equality.turns import TURNING
 from graders.judge import Domain, Formula, States
 from graders.language.balls import BALLS, precision

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from graders.equality.sides import Box, Found, Part
+from graders.equality.sides import Found, Part
 from graders.equality.turns import Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
@@ -48,6 +48,13 @@ def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
         return [look(runner, point) for point in points]
 
 
+def open_turns(program: Program, box: Sequence[Domain], turns: Sequence[Turn]) -> tuple[list[Turn], list[Interval]]:
+    """Give the turns that may change their sign in a box, or touch the zero of an edge, and their ranges."""
+    slots = Runner(program, INTERVALS).slots([(domain.low, domain.high) for domain in box])
+    found = [turn for turn in turns if _open(turn, slots[turn.slot])]
+    return found, [slots[turn.slot] for turn in found]
+
+
 @dataclass(frozen=True, slots=True)
 class Search:
     """A search of a box for both sides of what turns in a program.
@@ -68,19 +75,13 @@ class Search:
     mutual: bool
     lines: tuple[int, ...] = ()
 
-    def beside(self, turns: Sequence[Turn]) -> Iterator[tuple[Point, bool]]:
+    def beside(self, turns: Sequence[Turn], ranges: Sequence[Interval]) -> Iterator[tuple[Point, bool]]:
         """Give points beside each turn; those around a touched zero, where no sign changes, are marked."""
-        whole: Box = tuple([(domain.low, domain.high) for domain in self.box])
-        slots = Runner(self.program, INTERVALS).slots(whole)
-        ranges = [slots[turn.slot] for turn in turns]
-        open_turns = [at for at, turn in enumerate(turns) if _open(turn, ranges[at])]
-        if not open_turns:
-            return
-        ends = [at for at in open_turns if turns[at].edge and not ranges[at][0] >= 0]
+        ends = [at for at, turn in enumerate(turns) if turn.edge and not ranges[at][0] >= 0]
         guarded = any(turns[at].right or self.mutual for at in ends)
-        held = {at: self._held(at) for at in open_turns}
+        held = {at: self._held(at) for at in range(len(turns))}
         done: list[int] = []
-        for at in open_turns:
+        for at in range(len(turns)):
             alike = [other for other in done if turns[other].edge is turns[at].edge and _alike(held[at], held[other])]
             if not alike:
                 one_sided = ranges[at][0] >= 0 or (at in ends and self._both_end(turns, held, at))

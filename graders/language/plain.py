@@ -13,7 +13,7 @@ from graders.language.symbols import FUNCTIONS, Symbols, function_named
 from graders.language.tree import Binary, Call, Grid, Number, Tree, Unary, order_exists
 
 PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();<>]{1,250}")
-PIECE = re.compile(r"[A-Za-z][A-Za-z0-9_]*|\d+(?:\.\d+)?|[^ ]")
+SIGNS = "+-*/^();<>"
 BETWEEN = re.compile(r"\] ?[,;] ?\[")
 DECIMAL = re.compile(r"\d,\d")
 LONGEST = 1200  # of a matrix: too short for the bound on nodes
@@ -33,9 +33,16 @@ def read(text: str, symbols: Symbols) -> Tree | None:
     if PLAIN.fullmatch(text) is None:
         return None
     try:
-        return _Reader(PIECE.findall(text), symbols).whole()
+        return _Reader(_pieces(text), symbols).whole()
     except (Unusual, IndexError):  # IndexError: the text ends too early
         return None
+
+
+def _pieces(text: str) -> list[str]:
+    for sign in SIGNS:
+        if sign in text:
+            text = text.replace(sign, f" {sign} ")
+    return text.split()
 
 
 def _grid(text: str, symbols: Symbols) -> Tree | None:
@@ -111,10 +118,16 @@ class _Reader:
             return tree
         if piece == "<":
             return self.macaulay()
-        if piece[0].isdecimal() and len(piece) < DIGITS:
-            return Number(piece)
+        if piece[0].isdecimal():
+            return self.number(piece)
         known = piece in self.nodes or not piece[0].isalpha()
         return (None if known else self.symbols.node(piece)) or self.call(function_named(piece))
+
+    def number(self, piece: str) -> Number:
+        whole, point, part = piece.partition(".")
+        if not whole.isdecimal() or (point and not part.isdecimal()) or len(piece) > DIGITS:
+            raise Unusual
+        return Number(piece)
 
     def call(self, function: str | None) -> Tree:
         if function is None or self.piece != "(":

@@ -32,6 +32,7 @@ CODES = {
     Why.COUNT: "`different`: another number of items",
     Why.DIMENSION: "`different`: amounts of different quantities",
     Why.UNDECIDED: "`undecided`: neither could be proved",
+    Why.NOWHERE: "`undecided`: neither has a value anywhere on the domain",
 }
 REFUSALS = {
     "bad_json, too_large": "the line is no JSON object, or too long",

@@ -1,0 +1,242 @@
+"""An answer beside a reference: what balls say of the two at chosen points."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graders.equality.deciding import Balls, Finding
+from graders.equality.probing import Row, Search, looks, open_turns
+from graders.equality.turns import TURNING, Turn, turns
+from graders.judge import Domain, Formula
+from graders.language.doubles import DOUBLES, domain_test
+from graders.language.intervals import Interval
+from graders.language.program import Builder, Program, Runner
+from graders.language.tree import Number, Tree, names
+from graders.states import INSIDE, Point
+
+FEW = 3  # points that settle two analytic formulas
+POINTS = 4  # that balls settle where something turns
+WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
+OPEN = 4  # points that may stay unsettled
+NEAR = 1e-11  # how close by, as a share of a domain
+SEEN = 1e-9  # a relative difference that doubles see
+NOTHING = Number("0")
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A finding with the point that proves a difference."""
+
+    finding: Finding
+    witness: tuple[tuple[str, float], ...] = ()
+
+
+class Place(NamedTuple):
+    """A point for the balls: the signs of all turns there, and whether it is asked about even if these were seen."""
+
+    point: Point
+    pattern: object
+    asked: bool
+
+
+def few(points: Sequence[Point]) -> Iterator[Point]:
+    """Put a point inside, two corners and another inside in front: an analytic difference shows at any of them."""
+    first = [at for at in (0, INSIDE, INSIDE + 1, 1) if at < len(points)]
+    yield from (points[at] for at in first)
+    yield from (point for at, point in enumerate(points) if at not in first)
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """What turns in a pair: the program with its values as outputs, their ranges on the box, their values at points."""
+
+    program: Program
+    turns: list[Turn]
+    ranges: list[Interval]
+    rows: list[Row]
+
+
+class Pair:
+    """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
+
+    __slots__ = ("_turned", "balls", "builder", "lines", "mutual", "points", "program", "states", "turning")
+
+    def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
+        self.states, self.mutual, self.points = reference.states, mutual, reference.states.points
+        self.builder = builder = Builder(self.states.names)
+        lines = _needed(self.states.lines, reference.tree, answer)
+        self.lines = tuple([builder.define(name, line) for name, line in lines])
+        self.program: Program = builder.program(builder.add(reference.tree), builder.add(answer))
+        self.turning = any(name in TURNING for name, _ in builder.operations)
+        self.balls = Balls(self.program, mutual, self.lines)
+        self._turned: Turned | None = None
+
+    @property
+    def turned(self) -> Turned:
+        """Give what turns, and what doubles see at all points; only what may turn in the box counts."""
+        if self._turned is None:
+            self._turned = self._look()
+        return self._turned
+
+    def _look(self) -> Turned:
+        if not self.turning:
+            return Turned(self.program, [], [], [])
+        right, typed = self.program.outputs
+        found = turns(self.builder, (right, *self.lines), typed)
+        ranges: list[Interval] = []
+        if self.states.box:
+            wide = self.builder.program(right, typed, *(turn.slot for turn in found))
+            found, ranges = open_turns(wide, self.states.box, found)
+        wide = self.builder.program(right, typed, *(turn.slot for turn in found))
+        return Turned(wide, found, ranges, looks(Runner(wide, DOUBLES), self.points) if found else [])
+
+    @property
+    def turns(self) -> list[Turn]:
+        """Give what may turn."""
+        return self.turned.turns
+
+    @property
+    def values(self) -> int:
+        """The number of points at which one of the two has a value."""
+        return sum(any(map(math.isfinite, row[:2])) for row in self.turned.rows)
+
+    def early(self) -> Comparison | None:
+        """Give a difference that the very first point proves: nearly all wrong answers end here."""
+        return self._first(self.points[:1])
+
+    def compared(self) -> Comparison:
+        """Compare the two."""
+        early = self.early()
+        if early is not None or not self.turns:
+            return early or self._smooth()
+        places = self._places(zip(self.turned.rows, self.points, strict=True), None)
+        worst = self._first(place.point for place in places[:WORST] if place.asked)
+        if worst is not None:
+            return worst
+        if self.states.box:
+            places += self._beside()
+        places.sort(key=lambda place: not place.asked)
+        return self._settled(places)
+
+    def _smooth(self) -> Comparison:
+        """Ask the balls at a few points: an analytic difference that is zero there is zero."""
+        settled = unsure = 0
+        for point in few(self.points):
+            found = self.balls.at(point)
+            if found is Finding.EQUAL:
+                settled += 1
+                if settled == FEW:
+                    return Comparison(found)
+            elif found is Finding.UNDECIDED:
+                unsure += 1
+                if unsure > OPEN:
+                    return Comparison(found)
+            elif found is not Finding.NOWHERE and self._lasting(found, point):
+                return self._witnessed(found, point)
+        return self._without_more(settled, unsure)
+
+    def _without_more(self, settled: int, unsure: int) -> Comparison:
+        if not settled:
+            return Comparison(Finding.UNDECIDED if unsure else Finding.NOWHERE)
+        return Comparison(Finding.EQUAL if settled >= min(FEW, len(set(self.points))) else Finding.UNDECIDED)
+
+    def _places(self, looked: Iterable[tuple[Row, Point]], touched: int | None) -> list[Place]:
+        """Order points by how far doubles see the two apart, with the signs of what turns there."""
+        ordered = sorted(((_far(row), row, point) for row, point in looked), key=lambda one: -one[0])
+        every = touched is not None or not self.states.box
+        return [
+            Place(point, touched if touched is not None else tuple([x > 0 for x in row[2:]]), every or far > SEEN)
+            for far, row, point in ordered
+        ]
+
+    def _beside(self) -> list[Place]:
+        """Give points on both sides of everything that turns; each one around a touched zero is asked about."""
+        turned, doubles = self.turned, Runner(self.turned.program, DOUBLES)
+        search = Search(turned.program, self.states.box, self.points, turned.rows, self.mutual, self.lines)
+        found = list(search.beside(turned.turns, turned.ranges))
+        crossed = [point for point, touched in found if not touched]
+        touching = [point for point, touched in found if touched]
+        places = self._places(zip(looks(doubles, crossed), crossed, strict=True), None)
+        for number, (row, point) in enumerate(zip(looks(doubles, touching), touching, strict=True)):
+            places += self._places([(row, point)], number)
+        return places
+
+    def _first(self, points: Iterable[Point]) -> Comparison | None:
+        """Give the first proved difference."""
+        for point in points:
+            found = self.balls.at(point)
+            if found in (Finding.DIFFERENT, Finding.UNDEFINED) and self._lasting(found, point):
+                return self._witnessed(found, point)
+        return None
+
+    def _settled(self, places: Sequence[Place]) -> Comparison:
+        """Ask the balls, one point a pattern and four at least, until a difference is proved."""
+        settled, unsure, count = set[object](), set[tuple[object, Point]](), 0
+        for point, pattern, asked in places:
+            if not asked and count >= POINTS and pattern in settled:
+                continue
+            found = self.balls.at(point)
+            if found is Finding.EQUAL:
+                settled.add(pattern)
+                count += 1
+            elif found is Finding.UNDECIDED:
+                unsure.add((pattern, point))
+                if len(unsure) > OPEN:
+                    return Comparison(found)
+            elif found is not Finding.NOWHERE and self._lasting(found, point):
+                return self._witnessed(found, point)
+        if {pattern for pattern, _ in unsure} - settled:
+            return Comparison(Finding.UNDECIDED)
+        return self._without_more(count, len(unsure))
+
+    def _witnessed(self, found: Finding, point: Point) -> Comparison:
+        return Comparison(found, tuple(zip(self.states.names, point, strict=True)))
+
+    def _assembled(self, point: Point) -> bool:
+        """Tell whether all earlier names have a value, also those that neither formula stands on."""
+        return domain_test(NOTHING, self.states.names, self.states.lines)(point)
+
+    def _lasting(self, found: Finding, point: Point) -> bool:
+        """Tell whether a difference is there close by as well: a hole or a jump met by chance does not count."""
+        if found is Finding.DIFFERENT and not self.turning:
+            return True
+        if self.states.lines and point not in self.points and not self._assembled(point):
+            return False
+        return self.balls.at(_near(point, self.states.box)) is found
+
+
+def _needed(lines: Sequence[tuple[str, Tree]], *trees: Tree) -> list[tuple[str, Tree]]:
+    """Leave out the lines that no tree stands on: what turns in them does not concern the two."""
+    wanted = frozenset[str]().union(*map(names, trees)) if lines else frozenset()
+    kept = []
+    for name, line in reversed(lines):
+        if name in wanted:
+            kept.append((name, line))
+            wanted |= names(line)
+    return kept[::-1]
+
+
+def _near(point: Point, box: Sequence[Domain]) -> Point:
+    """Give a point close by, inside the box; whole numbers stay."""
+    if not box:
+        return tuple([x + NEAR * (abs(x) or 1.0) for x in point])
+    return tuple([_nudged(x, domain) for x, domain in zip(point, box, strict=True)])
+
+
+def _nudged(x: float, domain: Domain) -> float:
+    if domain.integer:
+        return x
+    step = NEAR * (domain.high - domain.low)
+    return x + step if x + step < domain.high else x - step
+
+
+def _far(row: Row) -> float:
+    """Give the relative difference in doubles; what doubles cannot tell is worth a look first."""
+    right, typed = row[0], row[1]
+    difference, scale = abs(right - typed), max(abs(right), abs(typed))
+    if not math.isfinite(difference):
+        return 3.0
+    return difference / scale if scale else 0.0
