@@ -21,6 +21,9 @@ FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
 OPEN = 4  # points that may stay unsettled
+MOST_TURNS = 16  # that are searched for their borders; more stay undecided where no difference is found
+LEAST_ASKED = 24  # points that balls settle, whatever they cost
+WORK = 24_000  # operations of balls behind which no more points are asked
 NEAR = 1e-11  # how close by, as a share of a domain
 SEEN = 1e-9  # a relative difference that doubles see
 NOTHING = Number("0")
@@ -62,7 +65,7 @@ class Turned:
 class Pair:
     """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
 
-    __slots__ = ("_turned", "balls", "builder", "lines", "mutual", "points", "program", "states", "turning")
+    __slots__ = ("_turned", "balls", "builder", "lines", "mutual", "points", "program", "searched", "states", "turning")
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
         self.states, self.mutual, self.points = reference.states, mutual, reference.states.points
@@ -73,6 +76,7 @@ class Pair:
         self.turning = any(name in TURNING for name, _ in builder.operations)
         self.balls = Balls(self.program, mutual, self.lines)
         self._turned: Turned | None = None
+        self.searched = True
 
     @property
     def turned(self) -> Turned:
@@ -90,6 +94,9 @@ class Pair:
         if self.states.box:
             wide = self.builder.program(right, typed, *(turn.slot for turn in found))
             found, ranges = open_turns(wide, self.states.box, found)
+        if len(found) > MOST_TURNS:
+            self.searched = False
+            found, ranges = found[:MOST_TURNS], ranges[:MOST_TURNS]
         wide = self.builder.program(right, typed, *(turn.slot for turn in found))
         return Turned(wide, found, ranges, looks(Runner(wide, DOUBLES), self.points) if found else [])
 
@@ -175,9 +182,12 @@ class Pair:
     def _settled(self, places: Sequence[Place]) -> Comparison:
         """Ask the balls, one point a pattern and four at least, until a difference is proved."""
         settled, unsure, count = set[object](), set[tuple[object, Point]](), 0
+        most = max(LEAST_ASKED, WORK // (1 + len(self.program.operations)))
         for point, pattern, asked in places:
             if not asked and count >= POINTS and pattern in settled:
                 continue
+            if count >= most:
+                return Comparison(Finding.UNDECIDED)
             found = self.balls.at(point)
             if found is Finding.EQUAL:
                 settled.add(pattern)
@@ -188,7 +198,7 @@ class Pair:
                     return Comparison(found)
             elif found is not Finding.NOWHERE and self._lasting(found, point):
                 return self._witnessed(found, point)
-        if {pattern for pattern, _ in unsure} - settled:
+        if not self.searched or {pattern for pattern, _ in unsure} - settled:
             return Comparison(Finding.UNDECIDED)
         return self._without_more(count, len(unsure))
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from graders.equality.sides import Found, Part
+from graders.equality.sides import Found, Part, whole
 from graders.equality.turns import Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
@@ -50,7 +50,7 @@ def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
 
 def open_turns(program: Program, box: Sequence[Domain], turns: Sequence[Turn]) -> tuple[list[Turn], list[Interval]]:
     """Give the turns that may change their sign in a box, or touch the zero of an edge, and their ranges."""
-    slots = Runner(program, INTERVALS).slots([(domain.low, domain.high) for domain in box])
+    slots = Runner(program, INTERVALS).slots(whole(box))
     found = [turn for turn in turns if _open(turn, slots[turn.slot])]
     return found, [slots[turn.slot] for turn in found]
 

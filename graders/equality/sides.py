@@ -27,6 +27,11 @@ Box: TypeAlias = tuple[Interval, ...]
 Found: TypeAlias = tuple[float, Point]
 
 
+def whole(box: Sequence[Domain]) -> Box:
+    """Give all of a box as intervals of doubles; whole numbers would grow without a bound in powers."""
+    return tuple([(float(domain.low), float(domain.high)) for domain in box])
+
+
 @dataclass(frozen=True, slots=True)
 class Part:
     """One argument of a formula over a box.
@@ -100,8 +105,8 @@ class Part:
 
     def _bounded(self, best: Found, sign: float) -> Found:
         """Branch and bound: a point of the other side, where one is found."""
-        whole: Box = tuple([(domain.low, domain.high) for domain in self.box])
-        heap = [(self._bound(whole, sign), 0, whole)]
+        start = whole(self.box)
+        heap = [(self._bound(start, sign), 0, start)]
         for number in range(1, 2 * min(BOXES, max(8, WORK // (3 * self.size))), 2):
             bound, _, box = heapq.heappop(heap)
             if bound >= 0:
@@ -154,12 +159,12 @@ class Part:
 
     def _between(self, one: Point, other: Point, share: float) -> Point:
         found = [a + (b - a) * share for a, b in zip(one, other, strict=True)]
-        for at in self.whole:
+        for at in self.integers:
             found[at] = float(round(found[at]))
         return tuple(found)
 
     @property
-    def whole(self) -> tuple[int, ...]:
+    def integers(self) -> tuple[int, ...]:
         """Give the numbers of the symbols that are whole numbers."""
         return tuple([at for at, domain in enumerate(self.box) if domain.integer])
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import pytest
 
 from graders import AnswerSyntaxError, Code, Domain, Expression, Formula, Symbols
@@ -11,6 +13,7 @@ from graders.language import Reason, parse_line
 from graders.states import spread
 from graders.verdict import Verdict
 from graders.words import LANGUAGES, message, tolerance
+from tests.graders.effort import effort
 
 BOX = {"a": Domain(0.2, 1), "b": Domain(0.2, 1), "x": Domain(0, 2)}
 STATES = spread(BOX, b"forms")
@@ -180,3 +183,40 @@ def test_a_difference_carries_the_point_that_proves_it() -> None:
     comparison = between(parse_line("abs(x - 0.5)"), parse_line("x - 0.5"), {"x": Domain(0.4999, 1)})
     ((name, place),) = comparison.witness
     assert name == "x" and 0.4999 <= place < 0.5
+
+
+WORST = {
+    "moduli": "+".join(f"|x - 0.{k}|" for k in range(100, 260)),
+    "angles": "+".join(f"atan2(x - 0.{k}; a - b)" for k in range(100, 180)),
+    "arcs": "+".join(f"asin(sin({k}*x + a))" for k in range(1, 90)),
+    "roots": "+".join(f"root(x - 0.{k}; 3)" for k in range(100, 200)),
+    "brackets": "+".join(f"<x - 0.{k}*a>^{k % 5}" for k in range(100, 200)),
+    "powers": "+".join(f"(x + a)^{900 + k}" for k in range(90)),
+    "nested": "sqrt(" * 40 + "x" + ")" * 40,
+    "cancelling": "sign(sin(x)^2 + cos(x)^2 - 1)*" + "*".join(["sin(x + a)"] * 100),
+}
+
+
+@pytest.mark.parametrize("name", WORST)
+def test_the_worst_formula_is_judged_in_time_and_space(name: str) -> None:
+    judge, text = Expression("y"), f"x + 0*({WORST[name]})"
+    assert judged(judge, text, "x").code in (Code.RIGHT, Code.UNDECIDED)
+    assert effort(lambda: judged(judge, text, "x")) < 0.3  # tens of milliseconds on a free core
+    tracemalloc.start()
+    judged(judge, text, "x")
+    assert tracemalloc.get_traced_memory()[1] < 20e6
+    tracemalloc.stop()
+
+
+def test_what_turns_too_often_to_be_searched_is_never_accepted_for_that() -> None:
+    decoys = "+".join(f"0*|x - 1.{k}|" for k in range(10, 40))
+    assert judged(Expression("y"), f"x + {decoys}", "x").code is Code.UNDECIDED
+    assert judged(Expression("y"), f"x + {decoys} + 1e-9", "x").code is Code.WRONG
+
+
+def test_large_powers_of_whole_numbers_stay_doubles() -> None:
+    states = spread({"n": Domain(12, 120, integer=True), "x": Domain(0, 2)}, b"powers")
+    reference = Formula(parse_line("abs(x - 1)"), states)
+    judge = Expression("y")
+    typed = judge.parse("abs(1 - x) + 0*n^999*n^999", Symbols(["n", "x"]))
+    assert judge.check(typed, reference).code is Code.RIGHT
