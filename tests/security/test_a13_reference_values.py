@@ -1,4 +1,4 @@
-"""Nothing that a student can reach before the reveal holds a reference value (attacks A13 and A21)."""
+"""A13: nothing that a student can reach before the reveal holds a reference value: API, pages, errors, documents."""
 
 from __future__ import annotations
 
@@ -76,6 +76,9 @@ def reachable(client: TestClient, exercise: str, seed: int, language: str) -> It
         refused = client.get(path, headers=wish)
         assert refused.status_code == 403
         yield refused.json()["error"]["message"]
+    if catalogue.load(exercise).exercise.report:
+        report = client.get(f"/api/v1/reports/tmm2/{number}.md", headers=wish)
+        yield "\n".join(line for line in report.text.splitlines() if not line.startswith(("|", "- ")))
 
 
 HIDING = [exercise for exercise in catalogue.ids() if exercise != "mobility"]  # counts stand on any page

@@ -1,4 +1,4 @@
-"""A copy made while the server works holds all that was acknowledged, and comes back with the same digest."""
+"""A42: a copy made while the server works comes back with the same digest; a damaged or foreign one is refused."""
 
 from __future__ import annotations
 
