@@ -15,6 +15,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
 import argparse  # noqa: E402
+import gc  # noqa: E402
 import random  # noqa: E402
 import signal  # noqa: E402
 import time  # noqa: E402
@@ -249,6 +250,7 @@ def peer(judge: Callable[[Pair], str], chosen: Sequence[Pair], limit: float) -> 
     tally = Tally()
     for pair in chosen:
         sympy.core.cache.clear_cache()
+        gc.collect()
         start = time.perf_counter()
         try:
             with at_most(limit):
@@ -277,6 +279,7 @@ def main() -> int:
     parser.add_argument("--limit", type=float, default=2.0, help="seconds a pair for a peer")
     arguments = parser.parse_args()
     head = "".join(f"{title:>10}" for title in ("median", "95 %", "99 %", "max"))
+    gc.disable()  # the peers leave much behind
     print(f"{'milliseconds':28}{'pairs':>6}{'wrong':>7}{'open':>6}{head}")
     passed = True
     for kind in kinds():
