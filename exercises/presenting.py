@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from exercises import catalogue, solving
@@ -41,6 +41,7 @@ class Field:
     column_units: tuple[str, ...]
     options: tuple[tuple[str, str], ...]
     weight: float
+    shape: Mapping[str, Any] = field(default_factory=dict)  # all that the judge says of its field
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +117,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         column_units=tuple(printed_unit(unit, lang) for unit in described.get("units", ())),
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
+        shape=described,
     )
 
 

@@ -16,12 +16,14 @@ from starlette.routing import Mount
 from exercises import catalogue
 from server import (
     comparing,
+    drafts,
     errors,
     exercises,
     health,
     metrics,
     pages,
     policy,
+    problems,
     reports,
     solving,
     static_files,
@@ -45,10 +47,13 @@ ROUTERS = (
     exercises.router,
     variants.router,
     submissions.router,
+    drafts.router,
+    problems.router,
     reports.router,
     solving.router,
     comparing.router,
     pages.router,
+    problems.pages,
 )
 log = logging.getLogger("grubler")
 

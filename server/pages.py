@@ -16,16 +16,17 @@ from exercises.exercise import AnyExercise
 from exercises.variants import MAX_SEED
 from server import forms, ids
 from server.bench import Bench, Tools
+from server.drafts import fresher, keep
 from server.errors import Refused
 from server.exercises import known, sample
 from server.forms import Form
-from server.policy import may_see_solution
+from server.policy import may_answer, may_see_solution
 from server.reader import Asking, Reader, admit, remember
-from server.storage import Dealt
-from server.submissions import Graded, graded, receipted, submit
+from server.storage import Dealt, Draft
+from server.submissions import Graded, graded, receipted, submit, whole
 from server.templating import counted, page
 from server.variants import dealt_to, restored, solved, visible
-from server.workspace import Line, lines
+from server.workspace import lines
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
@@ -44,6 +45,18 @@ class Card:
         """Whether the card says what is looked for."""
         text = " ".join((self.id, self.shown.title, self.shown.summary, *self.exercise.systems))
         return all(word in text.casefold() for word in wish.casefold().split())
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What is on the desk: a variant, what was typed, the submission shown, the draft kept."""
+
+    dealt: Dealt
+    typed: Mapping[str, str]
+    result: Graded | None
+    draft: Draft | None
+    fresh: bool = False
+    reported: bool | None = None
 
 
 @router.get("/")
@@ -90,19 +103,18 @@ async def show_workspace(
     bench: Tools,
     reader: Asking,
     receipt: Annotated[str | None, Query(max_length=64)] = None,
+    reported: Annotated[bool | None, Query()] = None,
 ) -> HTMLResponse:
-    """Show the task with its figure and answers, as they were last handed in."""
+    """Show the task with its figure and answers, as they were last typed or handed in."""
     dealt = await visible(bench, reader, variant)
     last = await receipted(bench, reader, receipt) if receipt else await bench.storage.latest(dealt.id)
     if last is not None and last.handed.variant != dealt.id:
         raise Refused(404, "unknown_submission")
     result = await graded(bench, last, reader.language) if last else None
-    typed = (
-        {name: text if isinstance(text, str) else "\n".join(text) for name, text in result.answers.items()}
-        if result
-        else {}
-    )
-    return await _workspace(request, bench, reader, dealt, typed, result, bool(receipt))
+    draft = await bench.storage.draft(dealt.id) if may_answer(reader.owner_id, dealt) else None
+    typed = draft.answers if draft and fresher(draft, last) else result.answers if result else {}
+    work = Work(dealt, whole(typed), result, draft, fresh=bool(receipt), reported=reported)
+    return await _workspace(request, bench, reader, work)
 
 
 @router.post("/variants/{variant}")
@@ -120,11 +132,14 @@ async def check(variant: str, request: Request, bench: Tools, reader: Asking) ->
 
 @router.post("/variants/{variant}/preview")
 async def show_reading(variant: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
-    """Show how the answers are read, without judging or storing them."""
+    """Show how the answers are read, without judging them; they are kept as the draft."""
     form = await forms.read(request)
     dealt = await visible(bench, reader, variant)
     typed = await _typed(bench, reader, dealt, form)
-    return await _workspace(request, bench, reader, dealt, typed, None, False)
+    draft = await bench.storage.draft(dealt.id)
+    if may_answer(reader.owner_id, dealt):
+        draft, _ = await keep(bench, dealt, typed, draft.revision if draft else 0)
+    return await _workspace(request, bench, reader, Work(dealt, typed, None, draft))
 
 
 @router.get("/variants/{variant}/solution")
@@ -153,30 +168,23 @@ async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict
     return {name: form.answer(field) for name, field in shown.answers.items()}
 
 
-async def _workspace(
-    request: Request,
-    bench: Bench,
-    reader: Reader,
-    dealt: Dealt,
-    typed: Mapping[str, str],
-    result: Graded | None,
-    fresh: bool,
-) -> HTMLResponse:
+async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work) -> HTMLResponse:
+    dealt, result = work.dealt, work.result
     shown = await _shown(bench, reader, dealt)
-    laid = await lines(bench, restored(dealt), shown.answers, typed, result, reader.language)
+    laid = await lines(bench, restored(dealt), shown.answers, work.typed, result, reader.language)
+    judged = result.verdicts.values() if result else ()
     context: dict[str, Any] = {
         "dealt": dealt,
         "shown": shown,
         "lines": laid,
         "result": result,
-        "fresh": fresh,
-        "right": sum(_right(line) for line in laid),
-        "open": [line for line in laid if line.verdict and not _right(line)],
+        "fresh": work.fresh,
+        "draft": work.draft,
+        "reported": work.reported,
+        "mine": may_answer(reader.owner_id, dealt),
+        "right": sum(verdict.outcome == "right" for verdict in judged),
+        "open": [line for line in laid if line.verdict and line.verdict.outcome != "right"],
         "key": secrets.token_hex(8),
         "solution": may_see_solution(reader.role, await bench.storage.counted(dealt.id)),
     }
     return page(request, reader.language, "workspace.html", context, path=f"/variants/{dealt.id}")
-
-
-def _right(line: Line) -> bool:
-    return line.verdict is not None and line.verdict.outcome == "right"

@@ -31,7 +31,12 @@ POLICIES: dict[tuple[str, str], Role] = {
     ("POST", "/api/v1/variants/{variant}/preview"): Role.ANONYMOUS,
     ("POST", "/api/v1/variants/{variant}/submissions"): Role.ANONYMOUS,
     ("GET", "/api/v1/variants/{variant}/solution"): Role.ANONYMOUS,
+    ("GET", "/api/v1/variants/{variant}/draft"): Role.ANONYMOUS,
+    ("PUT", "/api/v1/variants/{variant}/draft"): Role.ANONYMOUS,
+    ("POST", "/api/v1/variants/{variant}/problems"): Role.ANONYMOUS,
     ("GET", "/api/v1/submissions/{receipt}"): Role.ANONYMOUS,
+    ("GET", "/api/v1/problems"): Role.LECTURER,
+    ("POST", "/api/v1/problems/{problem}/settle"): Role.LECTURER,
     ("GET", "/api/v1/solvers"): Role.ANONYMOUS,
     ("POST", "/api/v1/solve/{solver}"): Role.LECTURER,
     ("POST", "/api/v1/compare"): Role.LECTURER,
@@ -43,6 +48,9 @@ POLICIES: dict[tuple[str, str], Role] = {
     ("POST", "/variants/{variant}"): Role.ANONYMOUS,
     ("POST", "/variants/{variant}/preview"): Role.ANONYMOUS,
     ("GET", "/variants/{variant}/solution"): Role.ANONYMOUS,
+    ("POST", "/variants/{variant}/problem"): Role.ANONYMOUS,
+    ("GET", "/problems"): Role.LECTURER,
+    ("POST", "/problems/{problem}"): Role.LECTURER,
     ("GET", "/static"): Role.ANONYMOUS,
 }
 

@@ -119,7 +119,7 @@ async def submit(
     if not may_answer(reader.owner_id, dealt):
         raise unknown_variant()
     try:
-        grade = await bench.judging.grade(Submission(restored(dealt), _texts(answers)), bench.secret)
+        grade = await bench.judging.grade(Submission(restored(dealt), whole(answers)), bench.secret)
     except grading.UnknownAnswer as error:
         raise Refused(422, "unknown_answer", field=f"answers.{printable(error)}", name=printable(error)) from None
     handed = _handed(dealt.id, dealt.owner.id, answers, key, body, reader.language)
@@ -134,7 +134,8 @@ def _handed(variant: str, owner: str, answers: Answers, key: str | None, body: s
     return Handed(receipt, variant, owner, dict(answers), now, key, body, digest, language)
 
 
-def _texts(answers: Answers) -> dict[str, str]:
+def whole(answers: Answers) -> dict[str, str]:
+    """Give answers as texts; a list of lines is a text of lines."""
     return {name: text if isinstance(text, str) else "\n".join(text) for name, text in answers.items()}
 
 

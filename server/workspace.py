@@ -11,14 +11,13 @@ from exercises.presenting import Field
 from graders.language.mathml import symbol_mathml
 from server import forms
 from server.bench import Bench
-from server.submissions import Graded, Judged
+from server.submissions import Graded, Judged, whole
 from server.variants import Understood, understood
 
 SHORT = ("quantity", "integer", "rational")
 LONG = {
     "polygon": 8,
     "samples": 8,
-    "diagram": 6,
     "text": 6,
     "rates": 3,
     "function": 3,
@@ -30,6 +29,13 @@ HELPED = (
     "choices", "dh_table", "diagram", "equation", "function", "inequality", "ordering", "polygon", "rates", "samples",
     "set", "system",
 )  # fmt: skip
+KEYED = (
+    "dh_table", "equation", "expression", "function", "inequality", "polygon", "rates", "symbolic_matrix", "system",
+)  # fmt: skip
+LOOKS = {  # the template of a kind's field
+    "choice": "choice", "choices": "choices", "ordering": "ordering", "diagram": "diagram", "expression": "formula",
+    **dict.fromkeys(forms.GRIDS, "grid"), **dict.fromkeys(LONG, "lines"),
+}  # fmt: skip
 SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
 
 
@@ -48,6 +54,9 @@ SIGNS = (
     Key("^", "<i>x</i><sup><i>n</i></sup>", name="power"), Key("sqrt()", "√", 1, "root"), Key("(", "(", name="open"),
     Key(")", ")", name="close"),
 )  # fmt: skip
+
+
+MORE_SIGNS = {"function": (Key("<>^1", "⟨ ⟩", 3, "macaulay"),), "rates": (Key("_d", "ẋ", name="rate"),)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +80,7 @@ class Line:
     twin: str
     cells: tuple[tuple[Cell, ...], ...]
     keys: tuple[Key, ...]
+    span: float | None
     echo: Understood | None
     verdict: Judged | None
 
@@ -78,6 +88,16 @@ class Line:
     def id(self) -> str:
         """The id from which the ids of the field and its messages are made."""
         return f"a{self.number}"
+
+    @property
+    def look(self) -> str:
+        """The name of the template of the field."""
+        return LOOKS.get(self.field.kind, "line")
+
+    @property
+    def ticked(self) -> list[str]:
+        """The options that are ticked."""
+        return [item.strip() for item in self.typed.split(";")]
 
     @property
     def short(self) -> bool:
@@ -134,24 +154,33 @@ async def lines(
         graded: The submission shown, if one is.
         lang: The reader's language.
     """
-    laid = []
+    laid, judged = [], _still(graded, typed) if graded else {}
     for number, (name, field) in enumerate(fields.items(), 1):
         text = typed.get(name, "")
         echo = await understood(bench, variant, name, text, lang) if text.strip() else None
-        laid.append(_line(number, field, text, echo, graded.verdicts.get(name) if graded else None))
+        laid.append(_line(number, field, text, echo, judged.get(name), getattr(variant.givens, "L", None)))
     return laid
 
 
-def _line(number: int, field: Field, text: str, echo: Understood | None, verdict: Judged | None) -> Line:
-    grid = field.kind in forms.GRIDS
-    apart = forms.split(text, field.rows, field.columns) if grid and text else None
+def _still(graded: Graded, typed: Mapping[str, str]) -> dict[str, Judged]:
+    """Give the verdicts whose answers still stand as they were judged."""
+    answers = whole(graded.answers)
+    return {name: one for name, one in graded.verdicts.items() if typed.get(name, "") == answers.get(name, "")}
+
+
+def _line(
+    number: int, field: Field, text: str, echo: Understood | None, verdict: Judged | None, span: float | None
+) -> Line:
+    grid = field.kind in forms.BY_CELLS
+    apart = forms.apart(field, text) if grid and text else None
     return Line(
         number=number,
         field=field,
         typed="" if grid else text,
         twin=text if grid and apart is None else "",
         cells=_cells(field, apart, verdict) if grid else (),
-        keys=_keys(field) if field.kind == "expression" else (),
+        keys=_keys(field) if field.kind in KEYED else (),
+        span=span,
         echo=echo,
         verdict=verdict,
     )
@@ -169,4 +198,5 @@ def _cells(field: Field, values: list[list[str]] | None, verdict: Judged | None)
 
 
 def _keys(field: Field) -> tuple[Key, ...]:
-    return (*(Key(name, symbol_mathml(name)) for name in field.symbols), *SIGNS)
+    names = (Key(name, symbol_mathml(name)) for name in field.symbols)
+    return (*names, *SIGNS, *MORE_SIGNS.get(field.kind, ()))

@@ -3,13 +3,21 @@ import "./css/main.css";
 
 import { countDown } from "./ts/countdown.ts";
 import { restoreDraft } from "./ts/draft.ts";
+import { takeFiles } from "./ts/drop.ts";
 import { listenForEcho } from "./ts/echo.ts";
 import { growFormulas } from "./ts/formula.ts";
 import { moveInGrid } from "./ts/matrix.ts";
+import { orderList } from "./ts/order.ts";
+import { buildPolygon } from "./ts/polygon.ts";
+import { sketch } from "./ts/sketch.ts";
 import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
 import { showSymbols } from "./ts/symbols.ts";
 
+document.querySelectorAll<HTMLElement>("[data-polygon]").forEach(buildPolygon);
+document.querySelectorAll<HTMLElement>("[data-sketch]").forEach(sketch);
+document.querySelectorAll<HTMLElement>("[data-order]").forEach(orderList);
+document.querySelectorAll<HTMLElement>("[data-drop]").forEach(takeFiles);
 document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   guardSubmit(form);
   growFormulas(form);
@@ -18,5 +26,5 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   hideStaleVerdicts(form);
   restoreDraft(form); // last: what it restores is echoed and grown like typed text
 });
-document.querySelectorAll<HTMLElement>('[role="group"][hidden]').forEach(showSymbols);
+document.querySelectorAll<HTMLElement>('.keys[hidden]').forEach(showSymbols);
 document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);

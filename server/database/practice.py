@@ -7,10 +7,21 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Select, bindparam, delete, insert, select, update
 
+from server.database import work
 from server.database.connections import Connections
 from server.database.once import insert_once
-from server.storage import Dealt, Handed, KeyReused, Marked, Owner, StorageUnavailable, UnknownVariant
-from server.tables import grades, owners, settings, submissions, variants
+from server.storage import (
+    Dealt,
+    Draft,
+    Handed,
+    KeyReused,
+    Marked,
+    Owner,
+    Problem,
+    StorageUnavailable,
+    UnknownVariant,
+)
+from server.tables import drafts, grades, owners, problems, settings, submissions, variants
 
 VARIANT = select(variants, owners.c.anonymous).join(owners).where(variants.c.id == bindparam("number"))
 TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
@@ -56,8 +67,28 @@ class Practice:
         query = select(grades.c.id).join(submissions).where(*mine).limit(1)
         return await self._connections.read(lambda connection: connection.execute(query).first()) is not None
 
+    async def keep_draft(self, draft: Draft) -> tuple[Draft, bool]:
+        """Store a draft over the revision before it."""
+        return await self._connections.write(lambda connection: _keep_draft(connection, draft))
+
+    async def draft(self, variant: str) -> Draft | None:
+        """Give the draft of a variant."""
+        return await self._connections.read(lambda connection: work.draft(connection, variant))
+
+    async def keep_problem(self, problem: Problem, most: int) -> bool:
+        """Store a reported problem, unless so many of its variant are open already; tells whether it is stored."""
+        return await self._connections.write(lambda connection: work.keep_problem(connection, problem, most))
+
+    async def problems(self, before: datetime, number: int) -> list[Problem]:
+        """Give the open problems reported before a moment, the newest first."""
+        return await self._connections.read(lambda connection: work.open_problems(connection, before, number))
+
+    async def settle_problem(self, number: str, time: datetime) -> bool:
+        """Note that a problem is settled; tells whether there was such an open one."""
+        return await self._connections.write(lambda connection: work.settle_problem(connection, number, time))
+
     async def purge(self, before: datetime) -> int:
-        """Forget anonymous variants that were last used before a moment; gives how many."""
+        """Forget anonymous variants that were last used before a moment and of which no problem is open."""
         return await self._connections.write(lambda connection: _purge(connection, before))
 
     async def check(self) -> None:
@@ -74,6 +105,12 @@ def _keep_variant(connection: Connection, variant: Dealt) -> None:
 
 def _touch(connection: Connection, number: str, time: datetime) -> bool:
     return connection.execute(TOUCH, {"number": number, "time": time}).rowcount == 1
+
+
+def _keep_draft(connection: Connection, draft: Draft) -> tuple[Draft, bool]:
+    if not _touch(connection, draft.variant, draft.time):
+        raise UnknownVariant(draft.variant)
+    return work.keep_draft(connection, draft)
 
 
 def _keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, bool]:
@@ -103,10 +140,14 @@ def _first(connection: Connection, handed: Handed) -> Marked:
 
 
 def _purge(connection: Connection, before: datetime) -> int:
-    idle = select(variants.c.id).join(owners).where(owners.c.anonymous, variants.c.last_used < before)
+    reported = select(problems.c.variant).where(problems.c.settled.is_(None))
+    left = variants.c.last_used < before, variants.c.id.not_in(reported)
+    idle = select(variants.c.id).join(owners).where(owners.c.anonymous, *left)
     handed_in = select(submissions.c.receipt).where(submissions.c.variant.in_(idle))
     connection.execute(delete(grades).where(grades.c.submission.in_(handed_in)))
     connection.execute(delete(submissions).where(submissions.c.variant.in_(idle)))
+    for table in (drafts, problems):
+        connection.execute(delete(table).where(table.c.variant.in_(idle)))
     gone = connection.execute(delete(variants).where(variants.c.id.in_(idle))).rowcount
     bare = owners.c.id.not_in(select(variants.c.owner))
     connection.execute(delete(owners).where(owners.c.anonymous, owners.c.created < before, bare))

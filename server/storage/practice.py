@@ -69,6 +69,31 @@ class Marked:
     grader_version: str
 
 
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """Answers as typed so far; each keeping counts the revision up by one."""
+
+    variant: str
+    answers: Answers
+    time: datetime
+    revision: int
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """What somebody reports of an exercise, with all that is needed to see the same."""
+
+    id: str
+    variant: str
+    owner: str
+    text: str
+    time: datetime
+    settled: datetime | None = None
+    exercise: str = ""
+    version: int = 0
+    seed: int = 0
+
+
 class Storage(Protocol):
     """A store of practice. A write that has returned is on disk; one that raised left nothing behind."""
 
@@ -109,8 +134,35 @@ class Storage(Protocol):
         """Tell whether some submission to a variant counted."""
         ...
 
+    async def keep_draft(self, draft: Draft) -> tuple[Draft, bool]:
+        """Store a draft over the revision before it.
+
+        Returns:
+            What is stored now, and whether it is this draft: it is not where another one came first.
+
+        Raises:
+            UnknownVariant: The variant has gone.
+        """
+        ...
+
+    async def draft(self, variant: str) -> Draft | None:
+        """Give the draft of a variant."""
+        ...
+
+    async def keep_problem(self, problem: Problem, most: int) -> bool:
+        """Store a reported problem, unless so many of its variant are open already; tells whether it is stored."""
+        ...
+
+    async def problems(self, before: datetime, number: int) -> list[Problem]:
+        """Give the open problems reported before a moment, the newest first."""
+        ...
+
+    async def settle_problem(self, number: str, time: datetime) -> bool:
+        """Note that a problem is settled; tells whether there was such an open one."""
+        ...
+
     async def purge(self, before: datetime) -> int:
-        """Forget anonymous variants that were last used before a moment; gives how many."""
+        """Forget anonymous variants that were last used before a moment and of which no problem is open."""
         ...
 
     async def check(self) -> None:

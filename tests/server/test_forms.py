@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hypothesis import given
 from hypothesis import strategies as st
 
 from exercises.presenting import Field
 from graders import Matrix
 from graders.language.symbols import Symbols
-from server.forms import Form, cell_names, join, split
+from server.forms import Form, apart, cell_names, join, split
 
 ENTRIES = st.from_regex(r"-?[0-9]{1,3}(,[0-9]{1,2})?", fullmatch=True)
 
@@ -46,11 +48,30 @@ def test_an_empty_grid_is_an_empty_answer() -> None:
     assert join([["", " "], ["", ""]]) == ""
 
 
+def form(values: dict[str, str]) -> Form:
+    return Form(values, {name: [text] for name, text in values.items()}, b"")
+
+
 def test_the_text_twin_goes_before_the_grid() -> None:
     field = matrix(1, 2)
     names = cell_names(field)
     assert names == [["answer.T.1.1", "answer.T.1.2"]]
     values = {"answer.T": " ", "answer.T.1.1": "1", "answer.T.1.2": "2"}
-    assert Form(values, b"").answer(field) == "[[1; 2]]"
-    assert Form(values | {"answer.T": "[3, 4]"}, b"").answer(field) == "[3, 4]"
-    assert Form({}, b"").answer(field) == ""
+    assert form(values).answer(field) == "[[1; 2]]"
+    assert form(values | {"answer.T": "[3, 4]"}).answer(field) == "[3, 4]"
+    assert form({}).answer(field) == ""
+
+
+def test_a_table_is_typed_row_by_row_and_read_back() -> None:
+    field = replace(matrix(0, 0), kind="diagram")
+    values = {"answer.T.1.1": "0", "answer.T.1.3": "4,5", "answer.T.3.1": "2", "answer.T.3.2": "-1"}
+    text = form(values).answer(field)
+    assert text == "0; ; 4,5\n2; -1"
+    cells = apart(field, text)
+    assert cells is not None and len(cells) == 12 and cells[:2] == [["0", "", "4,5", ""], ["2", "-1", "", ""]]
+    assert apart(field, "0 .. 2: 4*x") is None and apart(field, "0; 1\n" * 12 + "2; 3") is None
+
+
+def test_all_boxes_that_are_ticked_are_the_answer() -> None:
+    field = replace(matrix(0, 0), kind="choices")
+    assert Form({"answer.T": "c"}, {"answer.T": ["a", "c"]}, b"").answer(field) == "a; c"

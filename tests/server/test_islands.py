@@ -20,9 +20,15 @@ PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
 <link rel="stylesheet" href="/static/build/{ENTRY["css"][0]}">
 <script type="module" src="/static/build/{ENTRY["file"]}"></script>
 <form method="post" action="/sent" data-preview="/preview" data-word-read="odczytano" data-word-offline="brak"
- data-draft="v1"{{graded}}>
+ data-draft="/draft"{{graded}}>
+<template data-draft-words data-saved="zapisany {{{{time}}}}" data-saving="zapisywanie" data-unsaved="niezapisany"
+ data-places="na serwerze" data-here="tutaj" data-spoken="Zapisane." data-not-saved="Jeszcze nie." data-lost="Nigdzie.">
+</template>
+<p><span data-draft-state>pusty</span> <small data-draft-place></small><span role="status" data-draft-spoken></span></p>
+<div data-draft-conflict hidden><b data-draft-which></b><button type="button" data-draft-take="mine">moje</button>
+<button type="button" data-draft-take="theirs">tamte</button></div>
 <div class="answer"><span class="no">1</span><div class="body">
-<label for="w">w</label><textarea id="w" name="answer.w" class="formula" rows="1" data-echo="w-e">
+<label class="q" for="w">w</label><textarea id="w" name="answer.w" class="formula" rows="1" data-echo="w-e">
 </textarea><div class="keys" role="group" aria-label="s" hidden><button type="button" data-insert="l1">l1</button>
 <button type="button" data-insert="sqrt()" data-back="1">r</button>
 <button type="button" data-key="backspace">b</button></div><p class="read" id="w-e" role="status"></p>
@@ -34,6 +40,7 @@ PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
 <button class="btn main" type="submit" data-sending="Wysyłanie">Sprawdź</button></form></html>"""
 
 SLOW_FIRST = """() => { window.fetch = async (url, {body}) => {
+  if (!url.endsWith("/preview")) return new Promise(() => {});
   const {text} = JSON.parse(body);
   await new Promise((done) => setTimeout(done, text === "a" ? 900 : 0));
   setTimeout(() => { document.documentElement.dataset.replied = text; }, 50);
@@ -57,6 +64,8 @@ class Site:
         self.languages: list[str | None] = []
         self.sent: list[str | None] = []
         self.graded = ""
+        self.draft: dict[str, Any] = {"answers": {}, "revision": 0, "time": None}
+        self.connected = True
         self.reply: Reply = lambda question: understood(f"<math><mi>{question['text']}</mi></math>")
         page.route(HOME + "**", self._answer)
 
@@ -66,12 +75,27 @@ class Site:
             route.fulfill(path=BUILT / path.rsplit("/", 1)[1])
         elif path == "preview":
             self._preview(route)
+        elif path == "draft":
+            self._keep(route)
         elif path == "sent":
             self.sent.append(route.request.post_data)
             route.fulfill(status=204)
         else:
             body = PAGE.replace("{graded}", self.graded)
             route.fulfill(body=body, headers={"Content-Type": "text/html", "Content-Security-Policy": POLICY})
+
+    def _keep(self, route: Route) -> None:
+        sent = json.loads(route.request.post_data or "{}")
+        if not self.connected:
+            route.abort()
+        elif not sent:
+            route.fulfill(json=self.draft)
+        elif sent["revision"] != self.draft["revision"]:
+            route.fulfill(status=409, json={"error": {}})
+        else:
+            time = "2026-11-22T09:42:00Z"
+            self.draft = {"answers": sent["answers"], "revision": sent["revision"] + 1, "time": time}
+            route.fulfill(json=self.draft)
 
     def _preview(self, route: Route) -> None:
         question = json.loads(route.request.post_data or "")
@@ -245,10 +269,62 @@ def test_a_draft_comes_back_and_is_echoed_until_it_is_graded(site: Site) -> None
     assert page.input_value('[name="answer.T.2.1"]') == "5"
     assert page.is_checked('[value="b"]')
     page.wait_for_selector("#w-e mi")
-    site.graded = " data-graded"
+    site.graded = ' data-graded="R1"'
     assert site.open().input_value("#w") == ""
+    page.fill("#w", "l2")
+    assert site.open().input_value("#w") == "l2"  # typed after the check, on the same page
     site.graded = ""
-    assert site.open().input_value("#w") == ""
+    assert site.open().input_value("#w") == "l2"
+
+
+def test_a_draft_is_saved_on_the_server_within_five_seconds_and_says_so(site: Site) -> None:
+    page = site.open()
+    page.fill("#w", "l1")
+    assert page.inner_text("[data-draft-state]") == "zapisywanie"
+    page.wait_for_selector("[data-draft-state]:text('zapisany')", timeout=5000)
+    assert site.draft["answers"] == {"w": "l1", "T": "", "c": ""} and site.draft["revision"] == 1
+    assert page.inner_text("[data-draft-place]") == "na serwerze"
+    assert page.inner_text("[data-draft-spoken]") == ""
+
+
+def test_without_a_connection_the_answers_stay_and_go_out_when_it_returns(site: Site) -> None:
+    page = site.open()
+    site.connected = False
+    page.fill("#w", "l1")
+    page.wait_for_selector("[data-draft-state]:text-is('niezapisany')")
+    assert page.inner_text("[data-draft-spoken]") == "Jeszcze nie." and page.inner_text("[data-draft-place]") == "tutaj"
+    assert site.open().input_value("#w") == "l1"
+    site.connected = True
+    page.evaluate("window.dispatchEvent(new Event('online'))")
+    page.wait_for_selector("[data-draft-state]:text('zapisany')")
+    assert site.draft["answers"]["w"] == "l1"
+
+
+def test_what_another_device_changed_is_taken_over_or_asked(site: Site) -> None:
+    page = site.open()
+    site.draft = {"answers": {"w": "l2", "T": "[[1; ], [; 4]]", "c": ""}, "revision": 3, "time": None}
+    page.fill("#w", "l1")
+    page.wait_for_selector("[data-draft-conflict]:visible")
+    assert page.input_value('[name="answer.T.2.2"]') == "4"  # changed there only
+    assert page.inner_text("[data-draft-which]") == "w" and page.input_value("#w") == "l1"
+    page.click("[data-draft-take=theirs]")
+    assert page.input_value("#w") == "l2" and page.is_hidden("[data-draft-conflict]")
+    page.fill("#w", "l3")
+    page.wait_for_selector("[data-draft-state]:text('zapisany')")
+    assert site.draft["revision"] == 4 and site.draft["answers"]["w"] == "l3"
+
+
+def test_two_tabs_of_one_browser_agree_at_once(site: Site) -> None:
+    page = site.open()
+    other = page.context.new_page()
+    other.route(HOME + "**", site._answer)
+    other.goto(HOME)
+    page.fill("#w", "l1")
+    other.wait_for_function("document.querySelector('#w').value === 'l1'")
+    other.check('[value="b"]')
+    page.wait_for_function("document.querySelector('[value=b]').checked")
+    page.wait_for_selector("[data-draft-state]:text('zapisany')")
+    assert site.draft["answers"]["w"] == "l1" and page.is_hidden("[data-draft-conflict]")
 
 
 def test_a_verdict_steps_back_while_the_answer_is_another_one(site: Site) -> None:

@@ -1,5 +1,6 @@
 /* Live echo: what was understood stands under the field before anything counts. */
-import { answerName, isTextField, type TextField } from "./fields.ts";
+import { answerOf } from "./answers.ts";
+import { isTextField, type TextField } from "./fields.ts";
 import { readMathML } from "./mathml.ts";
 import { readPreview, turnstile, type Preview } from "./preview.ts";
 
@@ -20,17 +21,23 @@ function understood(preview: Preview & { ok: true }, words: DOMStringMap): Node[
   return [span(words["wordRead"] ?? ""), formula, ...note];
 }
 
+/* One cell of a grid is not at fault alone: the words stand below the whole. */
+function mark(field: TextField, bad: boolean): void {
+  if (field.closest("[role='group'][data-echo], table[data-echo]") !== null) return;
+  if (bad) field.setAttribute("aria-invalid", "true");
+  else field.removeAttribute("aria-invalid");
+}
+
 function show(field: TextField, place: HTMLElement, preview: Preview, words: DOMStringMap): void {
   place.classList.toggle("bad", !preview.ok);
   place.replaceChildren(...(preview.ok ? understood(preview, words) : [span(""), span(preview.message)]));
-  if (preview.ok) field.removeAttribute("aria-invalid");
-  else field.setAttribute("aria-invalid", "true");
+  mark(field, !preview.ok);
 }
 
 function clear(field: TextField, place: HTMLElement, text = ""): void {
   place.classList.remove("bad");
   place.textContent = text;
-  field.removeAttribute("aria-invalid");
+  mark(field, false);
 }
 
 /** The sentence of a refusal, such as too many requests; null when the reply holds none. */
@@ -50,31 +57,34 @@ async function ask(url: string, answer: string, text: string): Promise<Preview |
   }
 }
 
-function listen(field: TextField, answer: string, place: HTMLElement, form: HTMLFormElement, url: string): void {
+function listen(place: HTMLElement, form: HTMLFormElement, url: string): (field: TextField) => void {
   const turns = turnstile();
   let timer = 0;
-  const refresh = async (turn: number): Promise<void> => {
-    const preview = await ask(url, answer, field.value);
+  const refresh = async (turn: number, field: TextField, name: string, text: string): Promise<void> => {
+    const preview = await ask(url, name, text);
     if (!turns.isLast(turn)) return;
     if (preview === null) clear(field, place, form.dataset["wordOffline"]);
     else show(field, place, preview, form.dataset);
   };
-  field.addEventListener("input", () => {
+  return (field) => {
     const turn = turns.next();
     clearTimeout(timer);
-    if (field.value.trim() === "") clear(field, place);
-    else timer = window.setTimeout(() => void refresh(turn), PAUSE);
-  });
+    const answer = answerOf(form, field);
+    if (answer === null || answer.text.trim() === "") clear(field, place);
+    else timer = window.setTimeout(() => void refresh(turn, field, answer.name, answer.text), PAUSE);
+  };
 }
 
-/** Starts the echo of every `[data-echo="id of its place"]` field of a form with `data-preview`. */
+/** Starts the echo of every field of a form with `data-preview` that stands in a `[data-echo="id of its place"]`. */
 export function listenForEcho(form: HTMLFormElement): void {
   const url = form.dataset["preview"];
   if (url === undefined) return;
-  for (const field of form.querySelectorAll<HTMLElement>("[data-echo]")) {
-    if (!isTextField(field)) continue;
-    const answer = answerName(field.name);
-    const place = document.getElementById(field.dataset["echo"] ?? "");
-    if (answer !== null && place !== null) listen(field, answer, place, form, url);
-  }
+  const places = new Map<HTMLElement, (field: TextField) => void>();
+  form.addEventListener("input", ({ target }) => {
+    const id = isTextField(target) ? target.closest<HTMLElement>("[data-echo]")?.dataset["echo"] : undefined;
+    const place = id === undefined ? null : document.getElementById(id);
+    if (place === null || !isTextField(target)) return;
+    if (!places.has(place)) places.set(place, listen(place, form, url));
+    places.get(place)?.(target);
+  });
 }

@@ -1,12 +1,20 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { readDraft } from "./draft.ts";
+import { joinGrid, joinTable, split } from "./answers.ts";
+import { readCopy } from "./draft.ts";
 import { answerName } from "./fields.ts";
 import { meaning } from "./formula.ts";
+import { readKept } from "./kept.ts";
 import { allowsAttribute, allowsElement } from "./mathml.ts";
 import { neighbour } from "./matrix.ts";
+import { merge, same } from "./merge.ts";
+import { lettersOf, moved } from "./order.ts";
+import { read, write } from "./polygon_text.ts";
 import { readPreview, turnstile } from "./preview.ts";
+import {
+  inserted, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, type Place,
+} from "./sketch_model.ts";
 import { keystroke, nextKey } from "./symbols.ts";
 
 test("an answer field is told from any other field by its name", () => {
@@ -86,10 +94,118 @@ test("an arrow leads to the next entry of a matrix and nowhere from other fields
 
 test("a draft is kept for thirty days and a damaged one is dropped", () => {
   const [day, now] = [24 * 3600 * 1000, 1e12];
-  const stored = (time: number): string => JSON.stringify({ time, values: { "answer.a": ["1 mm"] } });
-  assert.deepEqual(readDraft(stored(now - 29 * day), now)?.values, { "answer.a": ["1 mm"] });
-  assert.equal(readDraft(stored(now - 31 * day), now), null);
-  for (const text of [null, "", "null", "[]", "{}", '{"time":1,"values":{"a":[1]}}', '{"time":1,"values":{"a":"x"}}']) {
-    assert.equal(readDraft(text, 2), null);
+  const whole = { time: 0, revision: 2, answers: { a: "1 mm" }, synced: { a: "" }, graded: "" };
+  const stored = (time: number): string => JSON.stringify({ ...whole, time });
+  assert.deepEqual(readKept(stored(now - 29 * day), now)?.answers, { a: "1 mm" });
+  assert.equal(readKept(stored(now - 31 * day), now), null);
+  for (const change of [{ time: "1" }, { revision: null }, { answers: { a: [1] } }, { synced: null }, { graded: 1 }]) {
+    assert.equal(readKept(JSON.stringify({ ...whole, time: now, ...change }), now), null);
   }
+  for (const text of [null, "", "null", "[]", "{}", "1", "{"]) assert.equal(readKept(text, 2), null);
+});
+
+test("what one side changed is taken over, what both changed is asked", () => {
+  const [base, mine, theirs] = [{ a: "1", b: "2", c: "3" }, { a: "1", b: "20", c: "30" }, { a: "10", b: "2", c: "31" }];
+  assert.deepEqual(merge(base, mine, theirs), { answers: { a: "10", b: "20", c: "30" }, conflicts: ["c"] });
+  assert.deepEqual(merge({}, { a: "x" }, { a: "x" }), { answers: { a: "x" }, conflicts: [] });
+  assert.ok(same({ a: "" }, {}) && !same({ a: "1" }, {}));
+});
+
+test("the server's copy is taken in its declared shape only", () => {
+  assert.deepEqual(readCopy({ answers: { a: ["1", "2"], b: "3" }, revision: 4, time: null }), {
+    answers: { a: "1\n2", b: "3" },
+    revision: 4,
+    time: null,
+  });
+  for (const reply of [null, 1, {}, { answers: null, revision: 1 }, { answers: {}, revision: "1" }]) {
+    assert.equal(readCopy(reply), null);
+  }
+});
+
+test("a grid is one text, and only that text is a grid again", () => {
+  const rows = [["1", " c1"], ["", "0"]];
+  assert.equal(joinGrid(rows), "[[1; c1], [; 0]]");
+  assert.deepEqual(split("[[1; c1], [; 0]]", 2, 2, joinGrid), [["1", "c1"], ["", "0"]]);
+  assert.equal(joinGrid([["1"], ["2"]]), "[1; 2]");
+  assert.deepEqual(split("[1; 2]", 2, 1, joinGrid), [["1"], ["2"]]);
+  assert.equal(joinGrid([["", " "]]), "");
+  for (const text of ["[[1,c1],[;0]]", "[[1; 2]]", "x", "[[1; 2], [3; 4], [5; 6]]"]) assert.equal(split(text, 2, 2, joinGrid), null);
+});
+
+test("a table of a diagram leaves out what is empty", () => {
+  const rows = [["0", "0", "4", ""], ["", "", "", ""], ["2", "-1", "", "0,5"], ["3", "", "", ""]];
+  const text = "0; 0; 4\n2; -1; ; 0,5\n3; ";
+  assert.equal(joinTable(rows), text);
+  assert.deepEqual(split(text, 4, 4, joinTable), [rows[0], rows[2], rows[3], rows[1]]);
+  assert.equal(split("0 .. 2: 4*x", 4, 4, joinTable), null);
+});
+
+test("a diagram is its table: ends, jumps, bends", () => {
+  const rows = [["0", "0", "4,5", ""], ["1.5", "-1", "", "2"], ["", "", "", ""], ["3", "0", "", ""]];
+  const places = placesOf(rows) ?? [];
+  assert.deepEqual(places[0], { x: 0, left: 0, right: 4.5, middle: null });
+  assert.deepEqual(rowsOf(places, true)[0], ["0", "0", "4,5", ""]);
+  assert.equal(placesOf([["0", "F", "", ""]]), null);
+  const [first, second, third] = places as [Place, Place, Place];
+  assert.equal(ordinate(first, second, 0.5), 1.75); // straight from 4.5 to -1
+  assert.deepEqual([0, 0.5, 1].map((share) => ordinate(second, third, share)), [-1, 2, 0]);
+});
+
+test("keys move a handle the way it is seen and + and - by its value", () => {
+  assert.deepEqual(moveOf("ArrowUp", false, false), { x: 0, value: 1 });
+  assert.deepEqual(moveOf("ArrowUp", true, true), { x: 0, value: -10 });
+  assert.deepEqual(moveOf("+", false, true), { x: 0, value: 1 });
+  assert.deepEqual(moveOf("ArrowLeft", false, true), { x: -1, value: 0 });
+  assert.equal(moveOf("Tab", false, false), null);
+});
+
+test("Insert adds a jump, then a place; Delete takes the bend, the jump, the place", () => {
+  const flat = [0, 2].map((x) => ({ x, left: 1, right: null, middle: null }));
+  const jump = inserted(flat, 0, "left", 5);
+  assert.equal(jump[0]?.right, 1);
+  assert.equal(inserted(jump, 0, "left", 5).length, 3);
+  assert.equal(inserted(jump, 0, "left", 2).length, 2);
+  assert.equal(removed(jump, 0, "right")[0]?.right, null);
+  assert.equal(removed(inserted(jump, 0, "right", 5), 1, "left").length, 2);
+  assert.equal(removed(flat, 0, "left").length, 2);
+});
+
+test("a handle stays on the grid and between its neighbours", () => {
+  const places = [0, 1, 2].map((x) => ({ x, left: 3, right: null, middle: null }));
+  const scale = scaleOf(places, 2);
+  assert.deepEqual([scale.highest, scale.step, scale.xStep], [5, 0.05, 0.02]);
+  assert.equal(withOrdinate(places, 1, "left", 3.0312, scale)[1]?.left, 3.05);
+  assert.equal(withPlace(places, 1, 1.239, scale)[1]?.x, 1.24);
+  assert.equal(withPlace(places, 1, 2, scale), places);
+});
+
+const POLYGON = [
+  "l1: A > B, length l1, angle alpha1",
+  "l2: B > C, length l2, angle alpha2",
+  "l3: A > C, length l3, angle 0",
+  "closure: l1 + l2 - l3 = 0",
+  "x: l1*cos(alpha1) + l2*cos(alpha2) - l3 = 0",
+  "y: l1*sin(alpha1) + l2*sin(alpha2) = 0",
+  "unknowns: alpha2; l3",
+].join("\n");
+
+test("the rows of a polygon write the text that they were read from", () => {
+  const sheet = read(POLYGON, ["A", "B", "C"]);
+  assert.deepEqual(sheet.vectors.map(({ sign }) => sign), ["+", "+", "-"]);
+  assert.deepEqual(sheet.rest, []);
+  assert.equal(write(sheet), POLYGON);
+});
+
+test("a line that the rows have no place for is kept as typed", () => {
+  const sheet = read(`${POLYGON}\nclosure: l1 = l3\nx2: a = 0\nwhat`, ["A", "B", "C"]);
+  assert.deepEqual(sheet.rest, ["x2: a = 0", "what", "closure: l1 = l3"]);
+  assert.equal(read("l1: A > Q, length 1, angle 0", ["A", "B"]).rest.length, 1);
+  assert.equal(write(read("", ["A"])), "");
+});
+
+test("items of an order move by one and typed letters are followed", () => {
+  assert.deepEqual(moved(["a", "b", "c"], 1, -1), ["b", "a", "c"]);
+  assert.deepEqual(moved(["a", "b"], 0, -1), ["a", "b"]);
+  assert.deepEqual(lettersOf("B; a, c", ["a", "b", "c"]), ["b", "a", "c"]);
+  assert.equal(lettersOf("b; a", ["a", "b", "c"]), null);
 });

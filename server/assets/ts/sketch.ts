@@ -1,0 +1,207 @@
+/* The diagram editor: a drawing with handles over its table; the two are one answer, and the table is sent. */
+import { announceInput } from "./fields.ts";
+import {
+  after, inserted, middleOf, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, written,
+  type Place, type Scale, type Side,
+} from "./sketch_model.ts";
+
+const SVG = "http://www.w3.org/2000/svg";
+const [WIDTH, HEIGHT, EDGE, PIECES] = [560, 240, 34, 24] as const;
+
+interface Handle {
+  at: number;
+  side: Side;
+  x: number;
+  value: number;
+}
+
+function draw(name: string, attributes: Record<string, string | number>): SVGElement {
+  const node = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, String(value));
+  return node;
+}
+
+function handlesOf(places: Place[]): Handle[] {
+  return places.flatMap((place, at): Handle[] => {
+    const next = places[at + 1];
+    const sides: Handle[] = [{ at, side: "left", x: place.x, value: place.left }];
+    if (place.right !== null) sides.push({ at, side: "right", x: place.x, value: place.right });
+    if (next) sides.push({ at, side: "middle", x: (place.x + next.x) / 2, value: middleOf(place, next) });
+    return sides;
+  });
+}
+
+class Sketch {
+  private readonly box: HTMLElement;
+  private readonly table: HTMLTableElement;
+  private readonly twin: HTMLTextAreaElement | null;
+  private readonly comma = document.documentElement.lang !== "en";
+  private readonly downwards: boolean;
+  private readonly figure: SVGElement;
+  private readonly area = draw("path", { class: "f-area" });
+  private readonly ordinates = draw("path", { class: "f-ord" });
+  private readonly curve = draw("path", { class: "f-pos" });
+  private readonly labels = draw("g", {});
+  private readonly knobs = new Map<string, SVGElement>();
+  private scale: Scale = scaleOf([], 1);
+
+  constructor(box: HTMLElement, table: HTMLTableElement, twin: HTMLTextAreaElement | null) {
+    [this.box, this.table, this.twin] = [box, table, twin];
+    this.downwards = box.dataset["quantity"] === "M"; // on the side in tension
+    this.figure = draw("svg", { class: "fig", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "group", "aria-label": box.dataset["wordTitle"] ?? "" });
+    const zero = draw("path", { class: "f-thick", d: `M${EDGE} ${HEIGHT / 2}H${WIDTH - EDGE}` });
+    this.figure.append(this.area, this.ordinates, zero, this.curve, this.labels);
+    box.prepend(this.figure);
+    this.show();
+  }
+
+  private cells(): HTMLInputElement[][] {
+    return Array.from(this.table.tBodies[0]?.rows ?? [], (row) => Array.from(row.querySelectorAll("input")));
+  }
+
+  private places(): Place[] | null {
+    const found = placesOf(this.cells().map((row) => row.map((cell) => cell.value)));
+    if (found === null || found.length > 1) return found;
+    const start = found[0] ?? { x: 0, left: 0, right: null, middle: null };
+    return [start, { x: start.x + Number(this.box.dataset["span"] ?? 1), left: 0, right: null, middle: null }];
+  }
+
+  private x(value: number): number {
+    const { first, last } = this.scale;
+    return EDGE + ((value - first) / (last - first)) * (WIDTH - 2 * EDGE);
+  }
+
+  private y(value: number): number {
+    return HEIGHT / 2 + ((this.downwards ? 1 : -1) * value * (HEIGHT / 2 - EDGE)) / this.scale.highest;
+  }
+
+  show(): void {
+    const places = this.places();
+    this.box.hidden = places === null || (this.twin?.value.trim() ?? "") !== "";
+    if (places === null) return;
+    this.scale = scaleOf(places, Number(this.box.dataset["span"] ?? 1));
+    this.drawCurve(places);
+    this.drawHandles(handlesOf(places));
+  }
+
+  private drawCurve(places: Place[]): void {
+    let [line, ordinates] = ["", ""];
+    places.forEach((place, at) => {
+      const next = places[at + 1];
+      line += `${at === 0 ? "M" : "L"}${this.point(place.x, at === 0 ? 0 : place.left)}L${this.point(place.x, after(place))}`;
+      for (let piece = 1; next && piece <= PIECES; piece += 1) {
+        const share = piece / PIECES;
+        const [x, value] = [place.x + (next.x - place.x) * share, ordinate(place, next, share)];
+        line += `L${this.point(x, value)}`;
+        ordinates += `M${this.point(x, 0)}L${this.point(x, value)}`;
+      }
+    });
+    const end = `L${this.point(places.at(-1)?.x ?? 0, 0)}`;
+    this.curve.setAttribute("d", line + end);
+    this.area.setAttribute("d", `${line}${end}Z`);
+    this.ordinates.setAttribute("d", ordinates);
+  }
+
+  private point(x: number, value: number): string {
+    return `${this.x(x).toFixed(1)} ${this.y(value).toFixed(1)}`;
+  }
+
+  private drawHandles(handles: Handle[]): void {
+    this.labels.replaceChildren();
+    const seen = new Set<string>();
+    for (const handle of handles) {
+      const key = `${handle.at}.${handle.side}`;
+      seen.add(key);
+      if (!this.knobs.has(key)) this.knobs.set(key, this.knob(handle.at, handle.side));
+      this.place(this.knobs.get(key), handle);
+    }
+    for (const [key, knob] of this.knobs) {
+      if (seen.has(key)) continue;
+      knob.remove();
+      this.knobs.delete(key);
+    }
+  }
+
+  private place(knob: SVGElement | undefined, { at, side, x, value }: Handle): void {
+    if (knob === undefined) return;
+    const [left, top] = [this.x(x), this.y(value)];
+    knob.setAttribute("transform", `translate(${left.toFixed(1)} ${top.toFixed(1)})`);
+    const said = { x: written(x, this.comma), value: written(value, this.comma).replace("-", "−") };
+    const { quantity = "", unit = "", xUnit = "" } = this.box.dataset;
+    knob.setAttribute("aria-valuenow", String(value));
+    knob.setAttribute("aria-valuemin", String(-this.scale.highest));
+    knob.setAttribute("aria-valuemax", String(this.scale.highest));
+    knob.setAttribute("aria-valuetext", `x ${said.x} ${xUnit}, ${quantity} ${said.value} ${unit}`.trim());
+    const word = this.box.dataset[`word${side[0]?.toUpperCase()}${side.slice(1)}`] ?? "";
+    knob.setAttribute("aria-label", word.replace("{row}", String(at + 1)));
+    if (side !== "middle") this.label(left, top, side, said.value);
+  }
+
+  private label(left: number, top: number, side: Side, text: string): void {
+    const below = top >= HEIGHT / 2;
+    const anchor = side === "right" ? "start" : left < WIDTH / 2 ? "start" : "end";
+    const node = draw("text", { class: "n halo", x: left + (anchor === "start" ? 9 : -9), y: top + (below ? 20 : -10), "text-anchor": anchor });
+    node.textContent = text;
+    this.labels.append(node);
+  }
+
+  private knob(at: number, side: Side): SVGElement {
+    const knob = draw("g", { class: `handle ${side}`, role: "slider", tabindex: 0, "aria-orientation": "vertical" });
+    knob.append(draw("rect", { class: "target", x: -22, y: -22, width: 44, height: 44 }), draw("rect", { class: "f-handle", x: -5, y: -5, width: 10, height: 10 }));
+    knob.addEventListener("keydown", (event) => this.key(event as KeyboardEvent, at, side));
+    knob.addEventListener("pointerdown", (event) => {
+      knob.setPointerCapture((event as PointerEvent).pointerId);
+      knob.focus();
+    });
+    knob.addEventListener("pointermove", (event) => {
+      if (knob.hasPointerCapture((event as PointerEvent).pointerId)) this.drag(event as PointerEvent, at, side);
+    });
+    this.figure.append(knob);
+    return knob;
+  }
+
+  private key(event: KeyboardEvent, at: number, side: Side): void {
+    const places = this.places();
+    if (places === null || event.ctrlKey || event.altKey || event.metaKey) return;
+    const move = moveOf(event.key, event.shiftKey, this.downwards);
+    if (move !== null) this.write(this.stepped(places, at, side, move));
+    else if (event.key === "Insert") this.write(inserted(places, at, side, this.cells().length));
+    else if (event.key === "Delete") this.write(removed(places, at, side), at);
+    else return;
+    event.preventDefault();
+  }
+
+  private stepped(places: Place[], at: number, side: Side, move: { x: number; value: number }): Place[] {
+    const handle = handlesOf(places).find((one) => one.at === at && one.side === side);
+    if (handle === undefined) return places;
+    if (move.value !== 0) return withOrdinate(places, at, side, handle.value + move.value * this.scale.step, this.scale);
+    return side === "middle" ? places : withPlace(places, at, handle.x + move.x * this.scale.xStep, this.scale);
+  }
+
+  private drag(event: PointerEvent, at: number, side: Side): void {
+    const [places, matrix] = [this.places(), (this.figure as SVGSVGElement).getScreenCTM()];
+    if (places === null || matrix === null) return;
+    const { y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    const value = ((this.downwards ? 1 : -1) * (y - HEIGHT / 2) * this.scale.highest) / (HEIGHT / 2 - EDGE);
+    const held = Math.max(-this.scale.highest, Math.min(this.scale.highest, value));
+    this.write(withOrdinate(places, at, side, held, this.scale));
+  }
+
+  private write(places: Place[], focus?: number): void {
+    const rows = rowsOf(places, this.comma);
+    const cells = this.cells();
+    cells.forEach((row, r) => row.forEach((cell, c) => (cell.value = rows[r]?.[c] ?? "")));
+    const first = cells[0]?.[0];
+    if (first !== undefined) announceInput(first);
+    if (focus !== undefined) this.knobs.get(`${Math.min(focus, places.length - 1)}.left`)?.focus();
+  }
+}
+
+/** Starts the editor of a `[data-sketch]` beside its table. */
+export function sketch(box: HTMLElement): void {
+  const answer = box.closest<HTMLElement>(".answer");
+  const table = answer?.querySelector<HTMLTableElement>("table[data-join='table']");
+  if (!answer || !table) return;
+  const made = new Sketch(box, table, answer.querySelector("textarea"));
+  answer.addEventListener("input", () => made.show());
+}
