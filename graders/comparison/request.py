@@ -164,13 +164,14 @@ def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
         raise BadRequest("out_of_range", f"vars has at most {MOST_VARS} names, not {len(value)}", "vars")
     box, fixed = dict[str, tuple[float, float]](), dict[str, Tree]()
     for name, bounds in value.items():
-        field = f"vars.{shown(name)[1:-1]}"
-        _require_name(name, field)
+        if len(name) > LONGEST_NAME or not _is_name(name):
+            raise BadRequest("unknown_symbol", f"{_below(name)}: this is no name of a symbol", _below(name))
         if not isinstance(bounds, list) or len(bounds) != 2:
-            raise _wrong_type(field, bounds, "a list of its least and its greatest value")
-        (low, least), (high, _) = (_bound(bound, field) for bound in bounds)
+            raise _wrong_type(_below(name), bounds, "a list of its least and its greatest value")
+        (low, least), (high, _) = (_bound(bound, name) for bound in bounds)
         if low > high:
-            raise BadRequest("out_of_range", f"{field}: the least value {low!r} is above the greatest {high!r}", field)
+            said = f"{_below(name)}: the least value {low!r} is above the greatest {high!r}"
+            raise BadRequest("out_of_range", said, _below(name))
         if low == high:
             fixed[name] = least
         else:
@@ -179,9 +180,8 @@ def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
     return box, fixed
 
 
-def _require_name(name: str, field: str) -> None:
-    if len(name) > LONGEST_NAME or not _is_name(name):
-        raise BadRequest("unknown_symbol", f"{field}: {shown(name)} is no name of a symbol", field)
+def _below(name: str) -> str:
+    return f"vars.{shown(name)[1:-1]}"
 
 
 @lru_cache(maxsize=2048)
@@ -200,22 +200,22 @@ def _require_distinct(found: Mapping[str, Any]) -> None:
         raise BadRequest("contradictory", f"vars: {error}", "vars") from None
 
 
-def _bound(value: Any, field: str) -> tuple[float, Tree]:
+def _bound(value: Any, name: str) -> tuple[float, Tree]:
     """Read a bound: a number, or a text with a constant expression."""
     if isinstance(value, str):
         found = _constant(value)
         if isinstance(found, str):
             code, _, said = found.partition(" ")
-            raise BadRequest(code, f"{field}: the bound {shown(value)} {said}", field)
+            raise BadRequest(code, f"{_below(name)}: the bound {shown(value)} {said}", _below(name))
         return found
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise _wrong_type(field, value, "two constant expressions")
+        raise _wrong_type(_below(name), value, "two constant expressions")
     try:
         number = float(value)
     except OverflowError:
         number = math.inf
     if not math.isfinite(number):
-        raise BadRequest("not_finite", f"{field}: the bound {shown(value)} must be finite", field)
+        raise BadRequest("not_finite", f"{_below(name)}: the bound {shown(value)} must be finite", _below(name))
     digits, _, power = repr(abs(number)).partition("e")
     tree: Tree = Number(digits, int(power or "0"))
     return number, Unary("-", tree) if number < 0 else tree

@@ -12,7 +12,7 @@ from graders.language.tree import Binary, Call, Tree, names, walk
 from graders.solutions.scene import Effort, Scene
 
 BRANCHING = frozenset(
-    ("abs", "sign", "min", "max", "macaulay", "atan2", "sqrt", "root", "asin", "acos", "acot", "ln", "log")
+    ("abs", "sign", "min", "max", "macaulay", "atan2", "sqrt", "root", "asin", "acos", "acot", "ln", "log", "log_base")
 )
 MOST = 8  # arguments that are looked at
 CLIMBED = 2  # points from which a corner is climbed to

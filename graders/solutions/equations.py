@@ -15,7 +15,7 @@ from flint import arb
 
 from graders.equality import Finding
 from graders.language.balls import precision
-from graders.language.tree import Call, Relation, Tree, walk
+from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside
 from graders.solutions.branches import BRANCHING, branch_starts
 from graders.solutions.descent import descended
@@ -134,7 +134,7 @@ class Pair:
     @cached_property
     def branching(self) -> bool:
         """Tell whether a bracket, a root or an inverse function stands in one of the two."""
-        return any(isinstance(n, Call) and n.function in BRANCHING for tree in self.trees for n in walk(tree))
+        return any(name in BRANCHING for name, _ in self.both.program.operations)
 
     def _same_ratio(self, point: Sequence[float]) -> bool:
         low, high = self.scene.ranges[self.unknown]
