@@ -59,7 +59,7 @@ class Part:
             held: Values at some points.
             one_sided: The argument is known not to change its sign.
         """
-        if not held:
+        if not held or not self.moving:
             return
         low, high = min(held), max(held)
         if low[0] < 0 < high[0]:

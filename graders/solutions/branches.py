@@ -1,85 +1,110 @@
-"""Starts on both sides of every bracket, absolute value and quadrant, also where one side is a corner of the box."""
+"""Starts on both sides of every bracket, absolute value, quadrant and edge of the two sides of a comparison."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from dataclasses import dataclass
+from functools import reduce
 
-from graders.language.doubles import DOUBLES, UndefinedError, run
-from graders.language.program import Builder, Runner
-from graders.language.tree import Binary, Call, Tree, names, walk
+from graders.equality.probing import Search, look, looks, open_turns
+from graders.equality.turns import turns
+from graders.judge import Domain
+from graders.language.doubles import DOUBLES
+from graders.language.program import Builder, Program, Runner
+from graders.language.tree import Tree
 from graders.solutions.scene import Effort, Scene
 
-BRANCHING = frozenset(
-    ("abs", "sign", "min", "max", "macaulay", "atan2", "sqrt", "root", "asin", "acos", "acot", "ln", "log", "log_base")
-)
-MOST = 8  # arguments that are looked at
-CLIMBED = 2  # points from which a corner is climbed to
+MOST_TURNS = 12  # that are looked at
+COST = 60  # runs that the search for one turn takes, about
+NEAREST = 2  # points from which a corner is climbed to
 SWEEPS = 2
+END = 1e-3  # of a range: near its end
+CORNERS = (0.01, 0.5, 0.99)
 
 
-def branch_starts(scene: Scene, trees: Sequence[Tree], effort: Effort) -> list[list[float]]:
-    """Give a point on the rarer side of each argument whose sign chooses a branch."""
-    found: list[list[float]] = []
-    arguments = dict.fromkeys(argument for tree in trees for argument in _arguments(tree))
-    for argument in list(arguments)[:MOST]:
-        rarer = Argument(scene, argument, effort).rarer()
-        if rarer is not None:
-            found.append(rarer)
-    return found
+def branch_starts(
+    scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], effort: Effort, most: int
+) -> list[list[float]]:
+    """Give points in every branch, deep in it and beside its border, also where it is a corner of the box.
+
+    Args:
+        scene: The box.
+        sides: The trees of the two sides.
+        effort: What is spent.
+        most: How many points at most.
+    """
+    builder = Builder(scene.names)
+    lines = [builder.define(name, line) for name, line in scene.lines]
+    outputs = [_joined(builder, trees) for trees in sides]
+    found = turns(builder, (outputs[0], *lines), outputs[1])
+    if not found:
+        return []
+    box = tuple(Domain(low, high) for low, high in scene.ranges)
+    program = builder.program(*outputs, *(turn.slot for turn in found))
+    effort.spend(2 * len(program.operations))
+    found, ranges = open_turns(program, box, found)
+    found, ranges = found[:MOST_TURNS], ranges[:MOST_TURNS]
+    program = builder.program(*outputs, *(turn.slot for turn in found))
+    effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))
+    turning = Turning(scene, program, Runner(program, DOUBLES))
+    rows = looks(turning.runner, scene.points)
+    search = Search(program, box, scene.points, rows, True, tuple(lines))
+    beside = list(search.beside(found, ranges))
+    deep = [*scene.points, *turning.climbed(rows), *_ends(scene)]
+    chosen = [*turning.one_each(deep), *(point for point, touched in beside if touched)]
+    chosen += turning.one_each([point for point, touched in beside if not touched])
+    return [list(point) for point in dict.fromkeys(map(tuple, chosen))][:most]
 
 
-def _arguments(tree: Tree) -> Iterator[Tree]:
-    for node in walk(tree):
-        match node:
-            case Call(function="abs" | "sign" | "macaulay", arguments=(inside, *_)):
-                yield inside
-            case Call(function="atan2", arguments=both):
-                yield from both
-            case Call(function="min" | "max", arguments=all_of):
-                yield from (Binary("-", a, b) for a, b in pairwise(all_of))
+def _joined(builder: Builder, trees: Sequence[Tree]) -> int:
+    """Give a slot that has a value where all trees have one."""
+    return reduce(lambda one, other: builder.apply("+", one, other), map(builder.add, trees))
 
 
-class Argument:
-    """An argument whose sign chooses a branch, over a scene."""
+def _ends(scene: Scene) -> Iterator[list[float]]:
+    """Move each symbol in turn near both ends of its range."""
+    for at, (low, high) in enumerate(scene.ranges):
+        for k, share in enumerate((END, 1 - END)):
+            point = scene.points[(2 * at + k) % len(scene.points)]
+            yield [*point[:at], low + share * (high - low), *point[at + 1 :]]
 
-    def __init__(self, scene: Scene, tree: Tree, effort: Effort) -> None:
-        builder = Builder(scene.names)
-        for name, line in scene.lines:
-            builder.define(name, line)
-        self.runner = Runner(builder.program(builder.add(tree)), DOUBLES)
-        self.scene, self.effort = scene, effort
-        self.used = [at for at, name in enumerate(scene.names) if scene.lines or name in names(tree)]
 
-    def value(self, point: Sequence[float]) -> float:
-        """Give the argument at a point; NaN where it has no value."""
-        self.effort.spend(len(self.runner.code) // 2 + 2)
-        try:
-            return float(run(self.runner, list(point))[0])
-        except UndefinedError:
-            return math.nan
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """What turns in the two sides: behind the two outputs of the program."""
 
-    def rarer(self) -> list[float] | None:
-        """Give a point of the sign that fewer points have, or one that is climbed to; None where there is no other."""
-        signed = [(value, point) for point in self.scene.points for value in (self.value(point),) if value]
-        below = [point for value, point in signed if value < 0]
-        above = [point for value, point in signed if value > 0]
-        if below and above:
-            return list(min(below, above, key=len)[0])
-        sign = 1.0 if above else -1.0
-        nearest = sorted(signed, key=lambda pair: abs(pair[0]))[:CLIMBED]
-        return next((end for _, point in nearest for end in (self._climbed(point, sign),) if end is not None), None)
+    scene: Scene
+    program: Program
+    runner: Runner
 
-    def _climbed(self, start: Sequence[float], sign: float) -> list[float] | None:
+    def one_each(self, points: Sequence[Sequence[float]]) -> list[Sequence[float]]:
+        """Choose one point for each pattern of signs."""
+        rows = looks(self.runner, [tuple(point) for point in points])
+        found: dict[tuple[bool, ...], Sequence[float]] = {}
+        for point, row in zip(points, rows, strict=True):
+            found.setdefault(tuple(value > 0 for value in row), point)
+        return list(found.values())
+
+    def climbed(self, rows: Sequence[Sequence[float]]) -> Iterator[list[float]]:
+        """Look in the corners of the box for the sign that an argument has at no point."""
+        for at in range(2, len(self.program.outputs)):
+            signed = [(row[at], point) for row, point in zip(rows, self.scene.points, strict=True) if row[at]]
+            signs = {value > 0 for value, _ in signed if math.isfinite(value)}
+            if len(signs) == 1:
+                nearest = sorted(signed, key=lambda pair: abs(pair[0]))[:NEAREST]
+                part = Runner(self.program.only(self.program.outputs[at]), DOUBLES)
+                ends = (self._climbed(part, point, 1.0 if True in signs else -1.0) for _, point in nearest)
+                yield from (end for end in ends if end is not None)
+
+    def _climbed(self, part: Runner, start: Sequence[float], sign: float) -> list[float] | None:
         """Move one symbol after another to the end that lowers the argument times its sign."""
         point, least = list(start), math.inf
         for _ in range(SWEEPS):
-            for at in self.used:
-                low, high = self.scene.ranges[at]
-                for share in (0.01, 0.5, 0.99):
+            for at, (low, high) in enumerate(self.scene.ranges):
+                for share in CORNERS:
                     tried = [*point[:at], low + share * (high - low), *point[at + 1 :]]
-                    value = sign * self.value(tried)
+                    value = sign * look(part, tuple(tried))[0]
                     if value < least:
                         point, least = tried, value
         return point if least < 0 else None

@@ -20,6 +20,13 @@ EDGE = 1e-6  # of a range: nearer to an end a symbol has no room
 
 def descended(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero | None:
     """Find a zero of the only residual of a side near a start; None where none is found inside the box."""
+    try:
+        return _descended(side, start, used)
+    except (ZeroDivisionError, OverflowError):  # slopes beyond doubles lead nowhere
+        return None
+
+
+def _descended(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero | None:
     moving = [at for at in used if side.scene.width(at)]
     point, first = list(start), side.doubles(start)
     if first is None or not moving:

@@ -17,7 +17,7 @@ from graders.equality import Finding
 from graders.language.balls import precision
 from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside
-from graders.solutions.branches import BRANCHING, branch_starts
+from graders.solutions.branches import branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.reduction import degrees, factors, reduced, residual
 from graders.solutions.scene import (
@@ -39,6 +39,8 @@ ENOUGH = 3  # zeros of each side that the other must share
 STARTS = 8  # points from which zeros are looked for all over the box
 SCANNED = 2  # lines that are searched from end to end
 TRIED, REGIONS = 3, 12  # points at which a side may be zero in a whole region: looked at early, and in all
+BRANCHES = 40  # points in every branch
+SEARCHED, FEWER = 12, 33  # lines in branches that are searched from end to end, and their nodes
 MOST = 12  # zeros of one line
 SHARE = 0.6180339887  # of the range between the two values of the unknown
 
@@ -108,50 +110,40 @@ class Pair:
         """Tell whether the ratio of the two is constant in the unknown; None where it is not, or has no value."""
         tested, depends = 0, False
         for point in exactly(self.scene.points):
-            one, other = self.both.balls(point)[:2]
-            first, second = self.both.balls(moved(point, self.unknown, self._elsewhere(point)))[:2]
-            if one is None or other is None or first is None or second is None:
-                if (one is None) != (other is None) or (first is None) != (second is None):
+            match self._ratio(point):
+                case None:
                     return None
-                continue
-            if not (one * second - other * first).contains(0) or first.contains(0) or second.contains(0):
-                return None
-            depends = depends or not (one - first).contains(0)
-            tested += 1
+                case changes if changes >= 0:
+                    depends, tested = depends or changes > 0, tested + 1
             if tested == DRAWS:
-                return EQUAL if depends and self._everywhere() else None
-        return None
+                break
+        if tested < DRAWS or not depends:
+            return None
+        beside = (self._ratio(point) for point in exactly(self.branches))
+        return None if any(found is None for found in beside) else EQUAL
+
+    def _ratio(self, point: Sequence[arb]) -> int | None:
+        """Compare the ratio at two values of the unknown: 1 where the side changes, 0 where it does not.
+
+        -1 where neither side has a value; None where the ratio is another one, or one side alone has no value.
+        """
+        one, other = self.both.balls(point)[:2]
+        first, second = self.both.balls(moved(point, self.unknown, self._elsewhere(point)))[:2]
+        if one is None or other is None or first is None or second is None:
+            return None if (one is None) != (other is None) or (first is None) != (second is None) else -1
+        if not (one * second - other * first).contains(0) or first.contains(0) or second.contains(0):
+            return None
+        return int(not (one - first).contains(0))
 
     def _elsewhere(self, point: Sequence[arb]) -> arb:
         low, high = self.scene.ranges[self.unknown]
         share = (float(point[self.unknown]) - low) / (high - low) if high > low else 0.0
         return arb(low + (high - low) * ((share + SHARE) % 1.0))
 
-    def _everywhere(self) -> bool:
-        """Where brackets open or roots end inside the box, look at more places in doubles."""
-        return not self.branching or all(self._same_ratio(point) for point in self.scene.points)
-
     @cached_property
-    def branching(self) -> bool:
-        """Tell whether a bracket, a root or an inverse function stands in one of the two."""
-        return any(name in BRANCHING for name, _ in self.both.program.operations)
-
-    def _same_ratio(self, point: Sequence[float]) -> bool:
-        low, high = self.scene.ranges[self.unknown]
-        ratio: float | None = None
-        for k in range(8):
-            place = moved(point, self.unknown, low + (high - low) * (k + 0.37) / 8)
-            one, other = (side.doubles(place) for side in self.sides)
-            if one is None or other is None:
-                if one is not None or other is not None:
-                    return False
-            elif (one[0] == 0) != (other[0] == 0):
-                return False
-            elif ratio is None:
-                ratio = one[0] / other[0] if other[0] else None
-            elif abs(one[0] - ratio * other[0]) > 1e-6 * (abs(one[0]) + abs(ratio * other[0])):
-                return False
-        return True
+    def branches(self) -> list[list[float]]:
+        """Give points on both sides of everything that turns in one of the two."""
+        return branch_starts(self.scene, (self.trees[:1], self.trees[1:]), self.both.effort, BRANCHES)
 
     def by_zeros(self) -> Found:
         """Find zeros of each and test the other there."""
@@ -188,7 +180,7 @@ class Pair:
     def _settled(self) -> bool:
         """Tell whether each side has one zero on each line: both are affine in the unknown, in every branch."""
         affine = (self.unknown in self._affine(factor) for factors in self.factors for factor in factors)
-        return not self.branching and all(affine)
+        return not self.branches and all(affine)
 
     def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
         for pair in zip_longest(source(0), source(1)):
@@ -229,8 +221,10 @@ class Pair:
 
     def _spread_of(self, factor: Factor, used: Sequence[int]) -> Iterator[Zero]:
         others, count = [at for at in used if at != self.unknown], 0
-        affine, moving = [at for at in self._affine(factor) if at in others], ((self.unknown,), used, others)
-        for k, start in enumerate(self.starts):
+        symbols, moving = self._affine(factor), ((self.unknown,), used, others)
+        yield from self._in_branches(factor, symbols)
+        affine = [at for at in symbols if at in others]
+        for k, start in enumerate(islice(extreme(self.scene), STARTS)):
             zero = self._beside(factor.side, start, affine)
             if zero is None and (not affine or count < ENOUGH):
                 zero = descended(factor.side, start, moving[k % 3])
@@ -238,11 +232,15 @@ class Pair:
                 count += 1
                 yield zero
 
-    @cached_property
-    def starts(self) -> list[list[float]]:
-        """Give points all over the box and in every branch."""
-        branches = branch_starts(self.scene, self.trees, self.both.effort) if self.branching else []
-        return [*(start for start in branches for _ in range(3)), *islice(extreme(self.scene), STARTS)]
+    def _in_branches(self, factor: Factor, symbols: Sequence[int]) -> Iterator[Zero]:
+        """Give zeros with the parameters of points beside everything that turns."""
+        for k, start in enumerate(self.branches):
+            if self.unknown in symbols:
+                found = straight(Line(factor.side, start, self.unknown))
+                if found is not None and found.zero is not None:
+                    yield found.zero
+            elif k < SEARCHED:
+                yield from islice(scanned(Line(factor.side, start, self.unknown), FEWER), MOST)
 
     def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
         for at in affine[:3]:

@@ -14,7 +14,7 @@ from flint import arb
 from graders.equality import Finding
 from graders.language.balls import precision
 from graders.language.tree import Binary, Relation, Tree
-from graders.solutions.beside import Beside, beside
+from graders.solutions.beside import SLANT, Beside, beside
 from graders.solutions.branches import branch_starts
 from graders.solutions.equations import EQUAL, UNDECIDED, Found
 from graders.solutions.scene import (
@@ -32,8 +32,11 @@ from graders.solutions.scene import (
 from graders.solutions.zeros import Line, Zero, scanned, straight
 
 ORDERS = {"<": (True, True), "<=": (True, False), ">": (False, True), ">=": (False, False)}  # below, strict
-LINES = 6  # points through which borders are looked for
+LINES = 4  # points through which borders are looked for
 NODES = 33
+NUDGE = 2.0**-30  # of a range
+ASIDE = 0.43  # of the way between two borders: the middle may be a special place
+MOST_BRANCHES, BRANCHES = 40, 4  # points in branches, and those through which borders are looked for
 MOST = 6  # borders of one line
 INEQUALITY_WORK = 30_000
 Place: TypeAlias = tuple[int, int]  # a side and one of its residuals
@@ -66,21 +69,35 @@ class Regions:
         self.both = Residuals(scene, trees, self.effort)
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.trees = [tree for side in trees for tree in side]
-        self.unsure = False
+        self.unsure, self.seen = False, 0  # points through which lines along all symbols were tested
 
     def compared(self) -> Found:
         """Test points inside, on the borders and between them."""
-        starts = [*branch_starts(self.scene, self.trees, self.effort), *extreme(self.scene)]
+        branches = branch_starts(self.scene, (self.both.sides[0], self.both.sides[1]), self.effort, MOST_BRANCHES)
+        starts = [*branches, *extreme(self.scene)]
         for point in exactly(starts):
             found = self._tested(point)
-            if found is not None:
+            if found is not None and self._tested(self._nudged(point)) is not None:
                 return found
-        for start in starts[:LINES]:
+        lines = [*islice(extreme(self.scene), LINES), *branches[:BRANCHES]]
+        try:
+            return self._across(lines)
+        except TooMuchWork:
+            return EQUAL if self.seen and not self.unsure else UNDECIDED
+
+    def _across(self, starts: Sequence[Sequence[float]]) -> Found:
+        """Test borders and stretches on lines along every symbol."""
+        for start in starts:
             for at in used_symbols(self.scene, self.trees):
                 found = self._along(start, at)
                 if found is not None:
                     return found
+            self.seen += 1
         return UNDECIDED if self.unsure else EQUAL
+
+    def _nudged(self, point: Sequence[arb]) -> list[arb]:
+        """Give a point close by: what differs at a single point alone does not decide."""
+        return [x + NUDGE * SLANT**at * self.scene.width(at) for at, x in enumerate(point)]
 
     def _along(self, start: Sequence[float], at: int) -> Found | None:
         """Test the borders along a symbol and the stretches between them."""
@@ -92,7 +109,7 @@ class Regions:
         places = sorted((zero.point[at] for *_, zero in zeros), key=lambda place: float(place.mid()))
         low, high = self.scene.ranges[at]
         for one, two in pairwise([arb(low), *places, arb(high)]):
-            middle = arb((one.mid() + two.mid()) / 2)
+            middle = arb((one.mid() + ASIDE * (two.mid() - one.mid())).mid())
             if not one.overlaps(two):
                 found = self._tested(moved([arb(x) for x in start], at, middle))
                 if found is not None:

@@ -12,6 +12,7 @@ from graders.solutions.scene import Side
 from graders.solutions.zeros import DELTA, Zero
 
 STEPS = 14
+OVERHEAD = 30  # operations that a step costs for each symbol, beside the residuals
 POLISHING = 7
 CLOSE = 1e-7  # of a range: near enough to go on in balls
 DEPENDENT = 1e-9  # a pivot below this share of the largest one says that the equations depend on one another
@@ -22,8 +23,16 @@ Values = Callable[[list[Any]], list[Any] | None]
 
 def projected(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero | None:
     """Find a zero of all residuals near a start by the shortest steps in all symbols, kept inside the box."""
+    try:
+        return _projected(side, start, used)
+    except (ZeroDivisionError, OverflowError):  # slopes beyond doubles lead nowhere
+        return None
+
+
+def _projected(side: Side, start: Sequence[float], used: Sequence[int]) -> Zero | None:
     scene, point, moving = side.scene, list(start), [at for at in used if side.scene.width(at)]
     for _ in range(STEPS):
+        side.pair.effort.spend(OVERHEAD * len(moving))
         here = side.doubles(point)
         rows = _slopes(side, point, moving, here) if here is not None else None
         step = shortest(rows, here) if rows is not None and here is not None else None

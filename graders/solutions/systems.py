@@ -24,10 +24,10 @@ from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, TooMuc
 from graders.solutions.zeros import Zero
 
 DRAWS = 3  # points at which the dependence is tested
-ENOUGH = 9  # zeros of each side that the other must share
-STARTS = 40
+ENOUGH, AT_LEAST = 9, 5  # zeros of each side that the other must share; as many where the work is up before
+STARTS, BRANCHES = 40, 12  # points all over the box, and beside what turns
 OTHERS = 2  # starts from which other solutions with the same parameters are looked for
-SYSTEM_WORK = 90_000
+SYSTEM_WORK = 60_000
 
 
 def compare_systems(
@@ -102,12 +102,8 @@ class Systems:
     def by_zeros(self) -> Found:
         """Find zeros of each and test the other there."""
         shared = [0, 0]
-        sources = [self._zeros(0), self._zeros(1)]
-        for _ in range(ENOUGH):
-            for which, source in enumerate(sources):
-                zero = next(source, None)
-                if zero is None:
-                    continue
+        try:
+            for which, zero in self._in_turn():
                 match beside(self.sides[1 - which], zero):
                     case Beside.OTHER | Beside.UNDEFINED:
                         return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
@@ -115,7 +111,18 @@ class Systems:
                         shared[which] += 1
                     case Beside.UNSURE:
                         return UNDECIDED
+        except TooMuchWork:
+            return EQUAL if min(shared) >= AT_LEAST else UNDECIDED
         return EQUAL if min(shared) >= ENOUGH else UNDECIDED
+
+    def _in_turn(self) -> Iterator[tuple[int, Zero]]:
+        """Give enough zeros of both sides, one after the other."""
+        sources = [self._zeros(0), self._zeros(1)]
+        for _ in range(ENOUGH):
+            for which, source in enumerate(sources):
+                zero = next(source, None)
+                if zero is not None:
+                    yield which, zero
 
     def _zeros(self, which: int) -> Iterator[Zero]:
         """Give zeros of a side near points all over the box: all symbols move, the unknowns alone, or the others."""
@@ -141,7 +148,6 @@ class Systems:
 
     @cached_property
     def starts(self) -> list[list[float]]:
-        """Give points all over the box and in every branch."""
-        trees = [tree for side in self.trees for tree in side]
-        branches = branch_starts(self.scene, trees, self.both.effort)
+        """Give points all over the box and beside everything that turns."""
+        branches = branch_starts(self.scene, (self.trees[0], self.trees[1]), self.both.effort, BRANCHES)
         return [*(start for start in branches for _ in range(3)), *islice(extreme(self.scene), STARTS)]

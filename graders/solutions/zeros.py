@@ -81,7 +81,10 @@ def straight(line: Line) -> Straight | None:
     if slope.contains(0):
         return Straight(None)
     place = one - first / slope
-    return Straight(line.zero(place) if line.side.scene.inside(line.at, place) else None)
+    if not line.side.scene.inside(line.at, place):
+        return Straight(None)
+    there = line.ball(place)  # beyond a bend the straight line does not go on
+    return Straight(line.zero(place)) if there is not None and there.contains(0) else None
 
 
 def negligible(value: arb, beside: Sequence[arb]) -> bool:
