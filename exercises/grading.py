@@ -9,7 +9,7 @@ from typing import Any
 
 from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
-from exercises.solving import NO_SECRET, Solved
+from exercises.solving import NO_SECRET, Kept, Solved
 from exercises.variants import slips
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.language import Tree
@@ -27,7 +27,7 @@ class UnknownAnswer(ValueError):
     """The submission names an answer that the exercise does not ask for."""
 
 
-def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = False) -> Grade:
+def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = False, kept: Kept = ()) -> Grade:
     """Grade a submission.
 
     Args:
@@ -35,11 +35,12 @@ def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = 
         secret: The server's secret, from which the test points of formulas are drawn.
         limited: Attempts are limited: a non-empty unreadable answer stops the judging, and only reading errors
             come back.
+        kept: Values of the steps from when the variant was dealt; they go before what the steps give now.
 
     Raises:
         UnknownAnswer: An answer that is not asked for.
     """
-    solved = solving.solved(submission.variant, secret)
+    solved = solving.solved(submission.variant, secret, kept)
     unknown = sorted(set(submission.answers) - set(solved.answers))
     if unknown:
         raise UnknownAnswer(unknown[0])

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import chain
-from typing import Any
+from typing import Any, TypeAlias
 
 from exercises import catalogue
 from exercises.exercise import AnyExercise, Line, Steps, Variant
@@ -22,6 +22,7 @@ from graders.language.tree import Grid
 from graders.language.tree import names as names_in
 from graders.states import drawn
 
+Kept: TypeAlias = tuple[tuple[str, Value], ...]
 SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
 
@@ -92,7 +93,7 @@ def _solve(
     values = {**start, **{name: evaluate(line, start) for name, line in replaced.items() if name in start}}
     for name, line in steps.items():
         own = fixed.get(name)
-        if isinstance(own, float | tuple | str):
+        if isinstance(own, int | float | tuple | str):
             values[name] = own
         else:
             values[name] = evaluate(own if own is not None else replaced.get(name, line), values)
@@ -101,11 +102,15 @@ def _solve(
 
 @dataclass(slots=True)
 class Solved:
-    """A solved variant: values of all steps, and the reference of each answer made when it is asked for."""
+    """A solved variant: values of all steps, and the reference of each answer made when it is asked for.
+
+    Values that were kept when the variant was dealt stand in place of what the steps give now.
+    """
 
     exercise: AnyExercise
     variant: Variant
     secret: bytes = NO_SECRET
+    kept: Kept = ()
     values: dict[str, Value] = field(init=False)
     answers: Mapping[str, Grader] = field(init=False)
     steps: Steps = field(init=False)
@@ -117,7 +122,7 @@ class Solved:
         self.steps = self.exercise.steps_of(givens)
         self.answers = self.exercise.answers_of(givens)
         self._start = _start(givens)
-        self.values = self.again()
+        self.values = self.again(fixed=dict(self.kept))
         self._formulas = self._topology()
 
     def again(self, replaced: Steps | None = None, fixed: Mapping[str, Value | Tree] | None = None) -> dict[str, Value]:
@@ -163,13 +168,13 @@ class Solved:
 
 
 @lru_cache(maxsize=1024)
-def solved(variant: Variant, secret: bytes = NO_SECRET) -> Solved:
+def solved(variant: Variant, secret: bytes = NO_SECRET, kept: Kept = ()) -> Solved:
     """Solve a variant, or give it again: the same one is shown, previewed and graded in turn.
 
     Raises:
         UnknownExercise: No exercise has the variant's id.
     """
-    return Solved(catalogue.load(variant.exercise).exercise, variant, secret)
+    return Solved(catalogue.load(variant.exercise).exercise, variant, secret, kept)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,10 @@ from typing import Any
 
 from exercises import catalogue, variants
 from exercises.exercise import Submission, Values, Variant
-from exercises.givens import numbers
-from exercises.grading import grade
+from exercises.givens import Json, numbers
+from exercises.grading import grade, reference
 from exercises.presenting import presented, printed_givens, solution
-from exercises.solving import Solved, solve
+from exercises.solving import Kept, Solved, solve
 from exercises.words import Words
 from graders import Code, Quantity, Reference, Value
 from graders.language.doubles import UndefinedError
@@ -183,6 +183,30 @@ def _texts(words: Any) -> Iterator[str]:
     elif isinstance(words, Mapping | list):
         for inner in words.values() if isinstance(words, Mapping) else words:
             yield from _texts(inner)
+
+
+def record(variant: Variant) -> dict[str, Json]:
+    """Write down what a variant is judged against: the values of its steps, and a right text for each answer."""
+    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    return {"values": {name: solved.values[name] for name in solved.steps}, "texts": reference(variant)}
+
+
+def kept(recorded: Mapping[str, Json]) -> Kept:
+    """Give the recorded values of the steps, as they go into grading."""
+    values = recorded["values"].items()
+    return tuple((name, tuple(map(tuple, value)) if isinstance(value, list) else value) for name, value in values)
+
+
+def reproduced(variant: Variant, recorded: Mapping[str, Json]) -> bool:
+    """Tell whether the exercise as it is installed still leads to what was recorded of a variant."""
+    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
+    then, texts = dict(kept(recorded)), reference(variant)
+    if set(then) != set(solved.steps) or set(texts) != set(recorded["texts"]):
+        return False
+    formulas = [name for name, grader in solved.answers.items() if grader.symbolic]
+    return all(agree(solved.values[name], then[name]) for name in then) and all(
+        texts[name] == recorded["texts"][name] for name in formulas
+    )
 
 
 def digest(exercise_id: str) -> str:
