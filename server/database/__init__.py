@@ -5,6 +5,7 @@ from __future__ import annotations
 from server.database.connections import Connections
 from server.database.practice import Practice
 from server.database.secret import secret_of
+from server.database.sets import Sets
 
 __all__ = ["Database", "secret_of"]
 
@@ -15,6 +16,7 @@ class Database:
     def __init__(self, url: str) -> None:
         self._connections = Connections(url)
         self.practice = Practice(self._connections)
+        self.sets = Sets(self._connections)
 
     def close(self) -> None:
         """Finish what is under way and let go of the files."""

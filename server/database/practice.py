@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
@@ -10,7 +11,9 @@ from sqlalchemy import Connection, Row, Select, bindparam, delete, insert, selec
 from server.database import work
 from server.database.connections import Connections
 from server.database.once import insert_once
+from server.sets.rules import same
 from server.storage import (
+    Answers,
     Dealt,
     Draft,
     Handed,
@@ -23,6 +26,7 @@ from server.storage import (
 )
 from server.tables import drafts, grades, owners, problems, settings, submissions, variants
 
+EARLIER = 20  # submissions with which a new one is compared
 VARIANT = select(variants, owners.c.anonymous).join(owners).where(variants.c.id == bindparam("number"))
 TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
 
@@ -48,7 +52,7 @@ class Practice:
 
     async def keep_submission(self, marked: Marked) -> tuple[Marked, bool]:
         """Store a submission with its grade, once for each key."""
-        return await self._connections.write(lambda connection: _keep_submission(connection, marked))
+        return await self._connections.write(lambda connection: keep_submission(connection, marked))
 
     async def submission(self, receipt: str) -> Marked | None:
         """Give a submission with its newest grade."""
@@ -113,15 +117,26 @@ def _keep_draft(connection: Connection, draft: Draft) -> tuple[Draft, bool]:
     return work.keep_draft(connection, draft)
 
 
-def _keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, bool]:
+def keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, bool]:
+    """Store a submission with its grade, once for each key; the same answers again are stored, but do not count."""
     handed = marked.handed
     if not _touch(connection, handed.variant, handed.time):
         raise UnknownVariant(handed.variant)
+    earlier = _counted(connection, handed.variant) if marked.counted else []
     if not insert_once(connection, submissions, _columns(handed)):
         return _first(connection, handed), True
+    if any(same(handed.answers, one) for one in earlier):
+        marked = replace(marked, counted=False)
     line = {"submission": handed.receipt, "grader_version": marked.grader_version, "grade": marked.grade}
     connection.execute(insert(grades), line | {"counted": marked.counted, "time": handed.time})
     return marked, False
+
+
+def _counted(connection: Connection, variant: str) -> list[Answers]:
+    """Give the newest answers to a variant that counted."""
+    mine = submissions.c.variant == variant, grades.c.counted
+    query = select(submissions.c.answers).join(grades).where(*mine).order_by(submissions.c.time.desc()).limit(EARLIER)
+    return list(connection.execute(query).scalars())
 
 
 def _columns(handed: Handed) -> dict[str, Any]:

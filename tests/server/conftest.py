@@ -89,6 +89,16 @@ def _tool(*command: str, user: str | None) -> None:
 @pytest.fixture
 def database_url(postgres: str) -> Iterator[str]:
     """The address of an empty PostgreSQL database."""
+    yield from _made_database(postgres)
+
+
+@pytest.fixture(scope="module")
+def shared_database_url(postgres: str) -> Iterator[str]:
+    """The address of a PostgreSQL database that the tests of a module share."""
+    yield from _made_database(postgres)
+
+
+def _made_database(postgres: str) -> Iterator[str]:
     name = f"grubler_{os.getpid()}_{time.monotonic_ns()}"
     admin = create_engine(postgres.replace("postgresql://", "postgresql+psycopg://"), isolation_level="AUTOCOMMIT")
     with admin.connect() as connection:

@@ -1,0 +1,72 @@
+"""What is handed in to a set: a submission and its attempt are stored together, or neither."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sqlalchemy import Connection, Row, func, insert, select
+
+from server.database.practice import keep_submission
+from server.storage import Marked, Owner
+from server.storage.sets import Line, NoAttemptLeft, Waiting
+from server.tables import attempts, deck, drafts, grades, owners, slots, submissions
+
+
+def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
+    """Store a submission to a set and its attempt.
+
+    Raises:
+        NoAttemptLeft: The attempts of the slot are used up.
+    """
+    variant = marked.handed.variant
+    card = connection.execute(select(deck.c.slot, deck.c.person).where(deck.c.variant == variant).with_for_update())
+    slot, person = card.one()
+    stored, replayed = keep_submission(connection, marked)
+    if replayed:
+        return stored, True
+    mine = deck.c.slot == slot, deck.c.person == person
+    taken = select(func.count()).select_from(attempts).join(deck, deck.c.variant == attempts.c.variant).where(*mine)
+    number = connection.execute(taken).scalar_one()
+    if limit is not None and number >= limit:
+        raise NoAttemptLeft(variant)
+    if stored.counted:
+        values = {"variant": variant, "number": number + 1, "submission": stored.handed.receipt}
+        connection.execute(insert(attempts), values)
+    return stored, False
+
+
+def ledger(connection: Connection, number: str, person: str | None) -> list[Line]:
+    """List the submissions to a set in the order received."""
+    given = grades.alias()
+    newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
+    query = (
+        select(
+            deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
+            grades.c.grade, grades.c.counted, attempts.c.number.label("attempt"),
+        )
+        .join_from(submissions, deck, deck.c.variant == submissions.c.variant)
+        .join(slots, slots.c.id == deck.c.slot)
+        .join(grades, grades.c.id == newest)
+        .outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
+        .where(slots.c.task_set == number)
+        .order_by(submissions.c.time, submissions.c.receipt)
+    )  # fmt: skip
+    mine = query if person is None else query.where(deck.c.person == person)
+    return [Line(**row) for row in connection.execute(mine).mappings()]
+
+
+def waiting(connection: Connection, number: str) -> list[Waiting]:
+    """List the drafts of a set that are newer than what was handed in."""
+    last = select(func.max(submissions.c.time)).where(submissions.c.variant == drafts.c.variant).scalar_subquery()
+    query = (
+        select(drafts, deck.c.person, owners.c.anonymous)
+        .join(deck, deck.c.variant == drafts.c.variant)
+        .join(slots, slots.c.id == deck.c.slot)
+        .join(owners, owners.c.id == deck.c.person)
+        .where(slots.c.task_set == number, (last.is_(None)) | (last < drafts.c.time))
+    )
+    return [_waiting(row) for row in connection.execute(query)]
+
+
+def _waiting(row: Row[Any]) -> Waiting:
+    return Waiting(row.variant, Owner(row.person, row.anonymous), row.answers, row.time)

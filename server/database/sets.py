@@ -1,0 +1,180 @@
+"""Task sets in the database; their cards are in `deck.py`, what is handed in to them in `attempts.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+
+from sqlalchemy import Connection, Select, delete, exists, func, insert, or_, select, update
+
+from server.database import attempts, deck
+from server.database.connections import Connections
+from server.storage import Marked
+from server.storage.sets import DRAFT, PUBLISHED, Card, Line, NotADraft, Place, Slot, TaskSet, Waiting
+from server.tables import accommodations, memberships, slots, task_sets
+from server.tables import deck as cards
+
+
+class Sets:
+    """The task sets of one store."""
+
+    def __init__(self, connections: Connections) -> None:
+        self._connections = connections
+
+    async def add(self, new: TaskSet) -> None:
+        """Store a new draft with its slots."""
+        await self._connections.write(lambda connection: _add(connection, new))
+
+    async def change(self, new: TaskSet, revision: int) -> None:
+        """Store a draft anew over one of a revision."""
+        await self._connections.write(lambda connection: _change(connection, new, revision))
+
+    async def task_set(self, number: str) -> TaskSet | None:
+        """Give a set with its slots."""
+        query = select(task_sets).where(task_sets.c.id == number)
+        return next(iter(await self._connections.read(lambda connection: _sets(connection, query))), None)
+
+    async def of(self, course: str) -> Sequence[TaskSet]:
+        """List the sets of a course, the newest first."""
+        query = select(task_sets).where(task_sets.c.course == course).order_by(task_sets.c.created.desc())
+        return await self._connections.read(lambda connection: _sets(connection, query))
+
+    async def students(self, course: str) -> Sequence[str]:
+        """List the students of a course, in the order of joining."""
+        mine = memberships.c.course == course, memberships.c.role == "student"
+        query = select(memberships.c.person).where(*mine).order_by(memberships.c.joined, memberships.c.person)
+        return await self._connections.read(lambda connection: list(connection.execute(query).scalars()))
+
+    async def publish(self, number: str, revision: int, dealt: Sequence[Card], now: datetime) -> None:
+        """Store the deck of a draft and publish it, together."""
+        await self._connections.write(lambda connection: _publish(connection, number, revision, dealt, now))
+
+    async def deck(self, number: str) -> Sequence[Card]:
+        """List the cards of a set by slot and number."""
+        return await self._connections.read(lambda connection: deck.of_set(connection, number))
+
+    async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
+        """Deal a student's card of a slot."""
+        return await self._connections.write(lambda connection: deck.open_card(connection, slot, person, variant, now))
+
+    async def replace(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
+        """Deal a student another card of a slot."""
+        return await self._connections.write(lambda connection: deck.replace(connection, slot, person, variant, now))
+
+    async def append(self, card: Card) -> None:
+        """Store one more card of a deck, behind the others."""
+        await self._connections.write(lambda connection: deck.append(connection, card))
+
+    async def place(self, variant: str) -> Place | None:
+        """Tell where a variant stands; None for practice."""
+        return await self._connections.read(lambda connection: _place(connection, variant))
+
+    async def begun(self, number: str, person: str) -> datetime | None:
+        """Tell when a student first opened a set."""
+        return await self._connections.read(lambda connection: deck.begun(connection, number, person))
+
+    async def extra(self, number: str, person: str) -> int:
+        """Tell how many minutes more a student has."""
+        return await self._connections.read(lambda connection: _extra(connection, number, person))
+
+    async def accommodate(self, number: str, person: str, minutes: int, reason: str) -> None:
+        """Give a student more time; 0 minutes take it back."""
+        await self._connections.write(lambda connection: _accommodate(connection, number, person, minutes, reason))
+
+    async def accommodations(self, number: str) -> Mapping[str, tuple[int, str]]:
+        """Give minutes and reason by student."""
+        query = select(accommodations).where(accommodations.c.task_set == number)
+        rows = await self._connections.read(lambda connection: connection.execute(query).all())
+        return {row.person: (row.minutes, row.reason) for row in rows}
+
+    async def move(self, number: str, due: datetime | None, closes: datetime | None) -> None:
+        """Move the deadlines of a set."""
+        moved = update(task_sets).where(task_sets.c.id == number).values(due=due, closes=closes)
+        await self._connections.write(lambda connection: connection.execute(moved).rowcount)
+
+    async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
+        """Store a submission to a set, and its attempt, together."""
+        return await self._connections.write(lambda connection: attempts.keep(connection, marked, limit))
+
+    async def ledger(self, number: str, person: str | None = None) -> Sequence[Line]:
+        """List the submissions to a set in the order received, of all students or one."""
+        return await self._connections.read(lambda connection: attempts.ledger(connection, number, person))
+
+    async def reserved(self, exercise: str, now: datetime) -> bool:
+        """Tell whether a published set that is not over deals an exercise."""
+        ends = func.coalesce(task_sets.c.closes, task_sets.c.due)
+        running = task_sets.c.state == PUBLISHED, or_(ends.is_(None), ends >= now)
+        dealt = cards.c.exercise == exercise, cards.c.slot == slots.c.id, slots.c.task_set == task_sets.c.id
+        query = select(exists().where(*dealt, *running))
+        return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
+
+    async def waiting(self, number: str) -> Sequence[Waiting]:
+        """List the drafts that are newer than what was handed in."""
+        return await self._connections.read(lambda connection: attempts.waiting(connection, number))
+
+
+def _add(connection: Connection, new: TaskSet) -> None:
+    connection.execute(insert(task_sets), _columns(new))
+    _add_slots(connection, new)
+
+
+def _columns(new: TaskSet) -> dict[str, object]:
+    return {column.name: getattr(new, column.name) for column in task_sets.columns}
+
+
+def _add_slots(connection: Connection, new: TaskSet) -> None:
+    rows = [
+        {column.name: getattr(slot, column.name) for column in slots.columns} | {"pool": list(slot.pool)}
+        for slot in new.slots
+    ]
+    if rows:
+        connection.execute(insert(slots), rows)
+
+
+def _change(connection: Connection, new: TaskSet, revision: int) -> None:
+    draft = task_sets.c.id == new.id, task_sets.c.state == DRAFT, task_sets.c.revision == revision
+    if connection.execute(update(task_sets).where(*draft), _columns(new)).rowcount != 1:
+        raise NotADraft(new.id)
+    connection.execute(delete(slots).where(slots.c.task_set == new.id))
+    _add_slots(connection, new)
+
+
+def _publish(connection: Connection, number: str, revision: int, dealt: Sequence[Card], now: datetime) -> None:
+    draft = task_sets.c.id == number, task_sets.c.state == DRAFT, task_sets.c.revision == revision
+    if connection.execute(update(task_sets).where(*draft).values(state=PUBLISHED, published=now)).rowcount != 1:
+        raise NotADraft(number)
+    deck.add(connection, dealt)
+
+
+def _sets(connection: Connection, query: Select[tuple[object, ...]]) -> list[TaskSet]:
+    rows = connection.execute(query).mappings().all()
+    found = select(slots).where(slots.c.task_set.in_([row["id"] for row in rows])).order_by(slots.c.number)
+    theirs: dict[str, list[Slot]] = {}
+    for row in connection.execute(found).mappings():
+        theirs.setdefault(row["task_set"], []).append(deck.slot_of(row))
+    return [TaskSet(**row, slots=tuple(theirs.get(row["id"], ()))) for row in rows]
+
+
+def _place(connection: Connection, variant: str) -> Place | None:
+    card = deck.of_variant(connection, variant)
+    if card is None:
+        return None
+    number = select(slots.c.task_set).where(slots.c.id == card.slot).scalar_subquery()
+    (found,) = _sets(connection, select(task_sets).where(task_sets.c.id == number))
+    slot = next(slot for slot in found.slots if slot.id == card.slot)
+    assert card.person is not None  # a card that is dealt is somebody's
+    begun = deck.begun(connection, found.id, card.person)
+    return Place(found, slot, card, _extra(connection, found.id, card.person), begun)
+
+
+def _extra(connection: Connection, number: str, person: str) -> int:
+    mine = accommodations.c.task_set == number, accommodations.c.person == person
+    return connection.execute(select(accommodations.c.minutes).where(*mine)).scalar_one_or_none() or 0
+
+
+def _accommodate(connection: Connection, number: str, person: str, minutes: int, reason: str) -> None:
+    mine = accommodations.c.task_set == number, accommodations.c.person == person
+    connection.execute(delete(accommodations).where(*mine))
+    if minutes:
+        values = {"task_set": number, "person": person, "minutes": minutes, "reason": reason}
+        connection.execute(insert(accommodations), values)

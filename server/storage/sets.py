@@ -1,0 +1,232 @@
+"""Task sets: their slots, cards, attempts, extra time, and what a store of them promises."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import Any, Protocol
+
+from server.storage.practice import Answers, Marked, Owner
+
+DRAFT, PUBLISHED = "draft", "published"
+FROM_DRAFT = "time-out"  # the idempotency key of a draft that was taken when the time ran out
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A place in a set: a pool of exercises of which one is dealt, its points and attempts, limits on givens."""
+
+    id: str
+    task_set: str
+    number: int
+    pool: tuple[str, ...]
+    points: float
+    attempts: int | None
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class TaskSet:
+    """A set with its slots.
+
+    Attributes:
+        rules: The rules as JSON values.
+        state: draft or published.
+        revision: Grows with every change of the draft.
+    """
+
+    id: str
+    course: str
+    title: str
+    rules: Mapping[str, Any]
+    state: str
+    opens: datetime | None
+    due: datetime | None
+    closes: datetime | None
+    published: datetime | None
+    revision: int
+    created: datetime
+    slots: tuple[Slot, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """A card of the deck.
+
+    Attributes:
+        code: What a student sees instead of the seed.
+        shown: What the card shows, by language.
+        reference: What it is judged against; it is never served.
+        person: For whom it is kept; none for a spare one.
+        turn: 1, more where it replaced a card that was at fault.
+        variant: The variant it was dealt as.
+    """
+
+    id: str
+    slot: str
+    number: int
+    code: str
+    exercise: str
+    version: int
+    seed: int
+    givens: Mapping[str, Any]
+    shown: Mapping[str, Any]
+    reference: Mapping[str, Any]
+    person: str | None
+    turn: int
+    variant: str | None
+    dealt: datetime | None
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a variant stands: its set, slot and card, how much longer its student may work, and since when."""
+
+    task_set: TaskSet
+    slot: Slot
+    card: Card
+    extra: int
+    begun: datetime | None
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A submission of a student to a slot, with its newest grade."""
+
+    slot: str
+    person: str
+    variant: str
+    receipt: str
+    time: datetime
+    grade: Mapping[str, Any]
+    counted: bool
+    attempt: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Waiting:
+    """A draft that was not handed in, and whose it is."""
+
+    variant: str
+    owner: Owner
+    answers: Answers
+    time: datetime
+
+
+class NotADraft(RuntimeError):
+    """The set is published, or somebody else has changed the draft meanwhile."""
+
+
+class NoAttemptLeft(RuntimeError):
+    """The attempts of this variant are used up."""
+
+
+class Sets(Protocol):
+    """A store of task sets."""
+
+    async def add(self, new: TaskSet) -> None:
+        """Store a new draft with its slots."""
+        ...
+
+    async def change(self, new: TaskSet, revision: int) -> None:
+        """Store a draft anew over one of a revision.
+
+        Raises:
+            NotADraft: It is published, or has another revision.
+        """
+        ...
+
+    async def task_set(self, number: str) -> TaskSet | None:
+        """Give a set with its slots."""
+        ...
+
+    async def of(self, course: str) -> Sequence[TaskSet]:
+        """List the sets of a course, the newest first."""
+        ...
+
+    async def students(self, course: str) -> Sequence[str]:
+        """List the students of a course, in the order of joining."""
+        ...
+
+    async def publish(self, number: str, revision: int, cards: Sequence[Card], now: datetime) -> None:
+        """Store the deck of a draft and publish it, together.
+
+        Raises:
+            NotADraft: It is published already, or has changed since its deck was drawn.
+        """
+        ...
+
+    async def deck(self, number: str) -> Sequence[Card]:
+        """List the cards of a set by slot and number."""
+        ...
+
+    async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
+        """Deal a student's card of a slot: the one dealt before, else the one kept for the student, else a spare.
+
+        Args:
+            slot: The slot.
+            person: The student.
+            variant: The number of the variant if it is dealt now.
+            now: The moment.
+
+        Returns:
+            The card; None where no spare is left.
+        """
+        ...
+
+    async def replace(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
+        """Deal a student another card of a slot in place of the present one, whose attempts stay with it."""
+        ...
+
+    async def append(self, card: Card) -> None:
+        """Store one more card of a deck."""
+        ...
+
+    async def place(self, variant: str) -> Place | None:
+        """Tell where a variant stands; None for practice."""
+        ...
+
+    async def begun(self, number: str, person: str) -> datetime | None:
+        """Tell when a student first opened a set."""
+        ...
+
+    async def extra(self, number: str, person: str) -> int:
+        """Tell how many minutes more a student has."""
+        ...
+
+    async def accommodate(self, number: str, person: str, minutes: int, reason: str) -> None:
+        """Give a student more time; 0 minutes take it back."""
+        ...
+
+    async def accommodations(self, number: str) -> Mapping[str, tuple[int, str]]:
+        """Give minutes and reason by student."""
+        ...
+
+    async def move(self, number: str, due: datetime | None, closes: datetime | None) -> None:
+        """Move the deadlines of a set."""
+        ...
+
+    async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
+        """Store a submission to a set, and its attempt, together.
+
+        Returns:
+            What is stored under its key, and whether it had been there before.
+
+        Raises:
+            NoAttemptLeft: Nothing was stored.
+            KeyReused: The key was used with another body.
+        """
+        ...
+
+    async def ledger(self, number: str, person: str | None = None) -> Sequence[Line]:
+        """List the submissions to a set in the order received, of all students or one."""
+        ...
+
+    async def reserved(self, exercise: str, now: datetime) -> bool:
+        """Tell whether a published set that is not over deals an exercise."""
+        ...
+
+    async def waiting(self, number: str) -> Sequence[Waiting]:
+        """List the drafts that are newer than what was handed in."""
+        ...

@@ -1,0 +1,223 @@
+"""Sets in the store: drafts by revision, one card a student, one attempt of a hundred, on both databases."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import timedelta
+from typing import Any
+
+import pytest
+from sqlalchemy import insert
+
+from server.database import Database
+from server.engine import engine
+from server.migrate import migrate
+from server.settings import Settings
+from server.storage import Handed, KeyReused, Marked
+from server.storage.sets import Card, NoAttemptLeft, NotADraft, Slot, TaskSet
+from server.tables import drafts
+from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol
+
+STUDENTS = ("anna", "bob", "celia", "dora", "emil")
+
+
+@dataclass
+class School:
+    """Two servers on one store with a class of five; each test makes a set of its own."""
+
+    url: str
+    one: Database
+    two: Database
+    made: int = 0
+
+    def draft(self) -> TaskSet:
+        """Store the draft of a set with two slots."""
+        self.made += 1
+        new = draft(f"SET{self.made}")
+        asyncio.run(self.one.sets.add(new))
+        return new
+
+    def published(self) -> TaskSet:
+        """Publish one: cards for Anna and Bob, and two spares."""
+        new = self.draft()
+        seats = list(enumerate(("anna", "bob", None, None), 1))
+        asyncio.run(self.one.sets.publish(new.id, 1, [card(of, n, who) for of in new.slots for n, who in seats], NOW))
+        return new
+
+    def opened(self, slot: Slot, who: str, variant: str = "") -> Card:
+        """Deal a student's card."""
+        found = asyncio.run(self.one.sets.open(slot, who, variant or f"{slot.id} {who}", NOW))
+        assert found is not None
+        return found
+
+    def keep(self, card: Card, receipt: str, limit: int | None, **changes: Any) -> tuple[Marked, bool]:
+        """Hand in."""
+        return asyncio.run(self.one.sets.keep_attempt(marked(card, receipt, **changes), limit))
+
+
+@pytest.fixture(scope="module", params=["sqlite", "postgres"])
+def school(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
+    """A school on each database."""
+    found = request.getfixturevalue("shared_database_url") if request.param == "postgres" else None
+    url = Settings(tmp_path_factory.mktemp("school"), database_url=found).store_url
+    migrate(url)
+    enrol(url, STUDENTS)
+    made = School(url, Database(url), Database(url))
+    yield made
+    made.one.close()
+    made.two.close()
+
+
+def marked(card: Card, receipt: str, **changes: Any) -> Marked:
+    assert card.variant is not None and card.person is not None
+    handed = Handed(receipt, card.variant, card.person, {"l3": receipt}, NOW, None, "body", "digest", "pl")
+    return Marked(replace(handed, **changes), {"score": 1.0}, True, "1")
+
+
+def test_a_draft_is_changed_over_its_own_revision_only(school: School) -> None:
+    old = school.draft()
+    new = replace(old, title="Set 5", revision=2, slots=old.slots[1:])
+    asyncio.run(school.one.sets.change(new, 1))
+    assert asyncio.run(school.one.sets.task_set(new.id)) == new
+    assert new in asyncio.run(school.one.sets.of(COURSE))
+    with pytest.raises(NotADraft):
+        asyncio.run(school.one.sets.change(new, 1))
+
+
+def test_what_is_published_is_frozen(school: School) -> None:
+    old = school.published()
+    for attempt in (school.one.sets.change(replace(old, revision=2), 1), school.one.sets.publish(old.id, 1, [], NOW)):
+        with pytest.raises(NotADraft):
+            asyncio.run(attempt)
+    assert asyncio.run(school.one.sets.task_set(old.id)) == replace(old, state="published", published=NOW)
+
+
+def test_a_deck_of_an_older_draft_is_not_published(school: School) -> None:
+    old = school.draft()
+    asyncio.run(school.one.sets.change(replace(old, revision=2), 1))
+    with pytest.raises(NotADraft):
+        asyncio.run(school.one.sets.publish(old.id, 1, [card(old.slots[0], 1)], NOW))
+    assert asyncio.run(school.one.sets.deck(old.id)) == []
+
+
+def test_a_student_is_dealt_his_own_card_once(school: School) -> None:
+    slot = school.published().slots[0]
+    dealt = school.opened(slot, "bob")
+    assert (dealt.number, dealt.person, dealt.dealt) == (2, "bob", NOW)
+    assert school.opened(slot, "bob", "another") == dealt
+    place = asyncio.run(school.one.sets.place(dealt.variant or ""))
+    assert place is not None and (place.card, place.slot, place.begun, place.extra) == (dealt, slot, NOW, 0)
+    assert asyncio.run(school.one.sets.place("another")) is None
+
+
+def test_a_late_joiner_gets_one_seat_in_all_slots(school: School) -> None:
+    first, second = school.published().slots
+    assert school.opened(first, "celia").number == 3
+    assert school.opened(second, "dora").number == 4
+    assert school.opened(second, "celia").number == 3
+    assert asyncio.run(school.one.sets.open(first, "emil", "none left", NOW)) is None
+
+
+def test_fifty_first_opens_at_once_deal_one_card(school: School) -> None:
+    slot = school.published().slots[0]
+
+    async def race() -> list[Card | None]:
+        stores = (school.one, school.two)
+        return await asyncio.gather(*(stores[n % 2].sets.open(slot, "anna", f"{slot.id} {n}", NOW) for n in range(50)))
+
+    found = asyncio.run(race())
+    assert len({one.variant for one in found if one}) == 1 and None not in found
+
+
+def test_a_faulty_card_is_replaced_by_a_spare(school: School) -> None:
+    slot = school.published().slots[0]
+    school.opened(slot, "anna")
+    found = asyncio.run(school.one.sets.replace(slot, "anna", f"{slot.id} new", NOW))
+    assert found is not None and (found.number, found.turn, found.variant) == (4, 2, f"{slot.id} new")
+    assert school.opened(slot, "anna", "another") == found
+    asyncio.run(school.one.sets.append(replace(card(slot, 1, "dora"), id=f"{slot.id} N", code=f"{slot.id} N"[-16:])))
+    assert school.opened(slot, "dora").number == 5
+
+
+def test_of_a_hundred_posts_with_one_attempt_left_one_is_counted(school: School) -> None:
+    task_set = school.published()
+    dealt = school.opened(task_set.slots[0], "anna")
+
+    async def race() -> list[object]:
+        stores = (school.one, school.two)
+        posts = (stores[n % 2].sets.keep_attempt(marked(dealt, f"{task_set.id} {n}"), 1) for n in range(100))
+        return await asyncio.gather(*posts, return_exceptions=True)
+
+    found = asyncio.run(race())
+    assert sum(isinstance(one, NoAttemptLeft) for one in found) == 99
+    (line,) = asyncio.run(school.one.sets.ledger(task_set.id))
+    assert (line.person, line.attempt, line.counted) == ("anna", 1, True)
+
+
+def test_the_same_key_gives_the_same_receipt_when_no_attempt_is_left(school: School) -> None:
+    dealt = school.opened(school.published().slots[0], "anna")
+    first, again = (school.keep(dealt, f"{dealt.id} {n}", 1, key="k", answers={"l3": "1"}) for n in range(2))
+    assert (again[0], first[1], again[1]) == (first[0], False, True)
+    with pytest.raises(KeyReused):
+        school.keep(dealt, f"{dealt.id} 3", 1, key="k", body="other")
+
+
+def test_the_same_answers_again_take_no_attempt(school: School) -> None:
+    task_set = school.published()
+    dealt = school.opened(task_set.slots[0], "anna")
+    kept = [
+        school.keep(dealt, f"{dealt.id} {text}", 2, answers={"l3": text})[0].counted for text in ("1 m", " 1 m", "2 m")
+    ]
+    assert kept == [True, False, True]
+    lines = asyncio.run(school.one.sets.ledger(task_set.id, "anna"))
+    assert sorted(line.attempt or 0 for line in lines) == [0, 1, 2]
+    assert asyncio.run(school.one.sets.ledger(task_set.id, "bob")) == []
+
+
+def test_attempts_run_on_over_a_replaced_card(school: School) -> None:
+    slot = school.published().slots[0]
+    dealt = school.opened(slot, "anna")
+    school.keep(dealt, f"{dealt.id} 1", 2)
+    other = asyncio.run(school.one.sets.replace(slot, "anna", f"{slot.id} new", NOW))
+    assert other is not None
+    school.keep(other, f"{dealt.id} 2", 2)
+    with pytest.raises(NoAttemptLeft):
+        school.keep(other, f"{dealt.id} 3", 2)
+
+
+def test_extra_time_is_given_and_taken_back(school: School) -> None:
+    task_set = school.published()
+    dealt = school.opened(task_set.slots[0], "anna")
+    for minutes in (30, 45):
+        asyncio.run(school.one.sets.accommodate(task_set.id, "anna", minutes, "dyslexia"))
+    place = asyncio.run(school.one.sets.place(dealt.variant or ""))
+    assert place is not None and place.extra == 45
+    assert asyncio.run(school.one.sets.accommodations(task_set.id)) == {"anna": (45, "dyslexia")}
+    asyncio.run(school.one.sets.accommodate(task_set.id, "anna", 0, ""))
+    assert asyncio.run(school.one.sets.extra(task_set.id, "anna")) == 0
+
+
+def test_an_exercise_is_reserved_until_the_set_is_over(school: School) -> None:
+    sets, after = school.one.sets, NOW + timedelta(days=70)
+    task_set = school.published()
+    assert asyncio.run(sets.reserved("slider_crank", NOW))
+    assert not asyncio.run(sets.reserved("planetary", NOW)) and not asyncio.run(sets.reserved("slider_crank", after))
+    asyncio.run(sets.move(task_set.id, after, None))
+    assert asyncio.run(sets.reserved("slider_crank", after))
+
+
+def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
+    task_set = school.published()
+    dealt = school.opened(task_set.slots[0], "anna")
+    direct = engine(school.url, connections=1)
+    with direct.begin() as connection:
+        later = {"variant": dealt.variant, "answers": {"l3": "2"}, "time": NOW + timedelta(minutes=1), "revision": 1}
+        connection.execute(insert(drafts), later)
+    direct.dispose()
+    school.keep(dealt, f"{dealt.id} 1", 2)
+    (found,) = asyncio.run(school.one.sets.waiting(task_set.id))
+    assert (found.variant, found.owner.id, found.answers) == (dealt.variant, "anna", {"l3": "2"})
+    school.keep(dealt, f"{dealt.id} 2", 2, time=NOW + timedelta(minutes=2))
+    assert asyncio.run(school.one.sets.waiting(task_set.id)) == []
