@@ -137,13 +137,7 @@ class _Sheet:
         yield Paragraph((self.said["conventions"],), quiet=True)
 
     def _polygon(self) -> Drawn | None:
-        """Read the student's polygon, if one was handed in that can be read."""
-        text = self.handed.answers.get("polygon", "") if self.handed else ""
-        solved = solving.solved(self.variant)
-        if not text.strip() or isinstance(preview(self.variant, "polygon", text), Verdict):
-            return None
-        drawn = solved.answers["polygon"].parse(text, solved.symbols("polygon"))
-        return drawn if isinstance(drawn, Drawn) else None
+        return read_polygon(self.variant, self.handed.answers.get("polygon", "")) if self.handed else None
 
     def _equations(self, number: int) -> Iterator[Block]:
         """Section 7: the closure; section 8: both projections."""
@@ -183,6 +177,15 @@ class _Sheet:
         yield Heading(self.said["receipt"])
         yield Facts(tuple((self.said[key], value) for key, value in zip(keys, values, strict=True)))
         yield Paragraph((self.said["own"],), quiet=True)
+
+
+def read_polygon(variant: Variant, text: str) -> Drawn | None:
+    """Read a student's polygon, if one was typed that can be read."""
+    solved = solving.solved(variant)
+    if not text.strip() or isinstance(preview(variant, "polygon", text), Verdict):
+        return None
+    drawn = solved.answers["polygon"].parse(text, solved.symbols("polygon"))
+    return drawn if isinstance(drawn, Drawn) else None
 
 
 def _written(text: str) -> Iterator[Block]:

@@ -48,3 +48,9 @@ def words(language: str) -> Mapping[str, str]:
 def say(language: str, key: str, **values: object) -> str:
     """Word one sentence; the values stand where the sentence names them."""
     return words(language)[key].format_map(values)
+
+
+def part(language: str, section: str) -> dict[str, str]:
+    """Give the sentences of one section, for an island that words its own state."""
+    found = ((key.partition("."), said) for key, said in words(language).items())
+    return {key[2]: said for key, said in found if key[0] == section}

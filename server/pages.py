@@ -20,6 +20,7 @@ from server.drafts import fresher, keep
 from server.errors import Refused
 from server.exercises import known, sample
 from server.forms import Form
+from server.laboratory import laboratory, without_empty
 from server.policy import may_answer, may_see_solution
 from server.reader import Asking, Reader, admit, remember
 from server.storage import Dealt, Draft
@@ -27,6 +28,8 @@ from server.submissions import Graded, graded, receipted, submit, whole
 from server.templating import counted, page
 from server.variants import dealt_to, restored, solved, visible
 from server.workspace import lines
+
+SECTIONS = 13  # of the form of report TMM-2
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
@@ -57,6 +60,7 @@ class Work:
     draft: Draft | None
     fresh: bool = False
     reported: bool | None = None
+    section: int | None = None
 
 
 @router.get("/")
@@ -104,6 +108,7 @@ async def show_workspace(
     reader: Asking,
     receipt: Annotated[str | None, Query(max_length=64)] = None,
     reported: Annotated[bool | None, Query()] = None,
+    section: Annotated[int | None, Query(ge=1, le=SECTIONS)] = None,
 ) -> HTMLResponse:
     """Show the task with its figure and answers, as they were last typed or handed in."""
     dealt = await visible(bench, reader, variant)
@@ -113,7 +118,7 @@ async def show_workspace(
     result = await graded(bench, last, reader.language) if last else None
     draft = await bench.storage.draft(dealt.id) if may_answer(reader.owner_id, dealt) else None
     typed = draft.answers if draft and fresher(draft, last) else result.answers if result else {}
-    work = Work(dealt, whole(typed), result, draft, fresh=bool(receipt), reported=reported)
+    work = Work(dealt, whole(typed), result, draft, fresh=bool(receipt), reported=reported, section=section)
     return await _workspace(request, bench, reader, work)
 
 
@@ -127,7 +132,9 @@ async def check(variant: str, request: Request, bench: Tools, reader: Asking) ->
     key = form.values.get(forms.KEY, "")[:32]
     once = ids.digest(key.encode(), body.encode()) if key else None  # another answer on the same page is a new one
     marked, _ = await submit(bench, reader, variant, typed, once, body)
-    return RedirectResponse(f"/variants/{dealt.id}?receipt={marked.handed.receipt}#result", 303)
+    section = form.values.get("section", "")
+    place = f"&section={section}#section-{section}" if section in map(str, range(1, SECTIONS + 1)) else "#result"
+    return RedirectResponse(f"/variants/{dealt.id}?receipt={marked.handed.receipt}{place}", 303)
 
 
 @router.post("/variants/{variant}/preview")
@@ -170,12 +177,16 @@ async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict
 
 async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work) -> HTMLResponse:
     dealt, result = work.dealt, work.result
-    shown = await _shown(bench, reader, dealt)
-    laid = await lines(bench, restored(dealt), shown.answers, work.typed, result, reader.language)
+    shown, variant = await _shown(bench, reader, dealt), restored(dealt)
+    laid = await lines(bench, variant, shown.answers, work.typed, result, reader.language)
+    if catalogue.load(variant.exercise).exercise.report:
+        laid = without_empty(laid)
+    lab = await bench.judging.run(laboratory, variant, laid, reader.language, work.section)
     judged = result.verdicts.values() if result else ()
     context: dict[str, Any] = {
         "dealt": dealt,
         "shown": shown,
+        "lab": lab,
         "lines": laid,
         "result": result,
         "fresh": work.fresh,
@@ -183,8 +194,9 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "reported": work.reported,
         "mine": may_answer(reader.owner_id, dealt),
         "right": sum(verdict.outcome == "right" for verdict in judged),
-        "open": [line for line in laid if line.verdict and line.verdict.outcome != "right"],
+        "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
         "key": secrets.token_hex(8),
         "solution": may_see_solution(reader.role, await bench.storage.counted(dealt.id)),
     }
-    return page(request, reader.language, "workspace.html", context, path=f"/variants/{dealt.id}")
+    template = "laboratory.html" if lab else "workspace.html"
+    return page(request, reader.language, template, context, path=f"/variants/{dealt.id}")

@@ -31,17 +31,20 @@ def secrets_of(exercise: str, seed: int) -> tuple[list[float], list[str]]:
     """The reference values in SI and in the unit of the field, and the reference texts of the formulas."""
     variant = deal(exercise, seed)
     solved = Solved(catalogue.load(exercise).exercise, variant)
-    shown = [
-        abs(solved.values[solved.step_of(name)] / unit)  # type: ignore[operator]
+    asked = [
+        (abs(float(solved.values[solved.step_of(name)])), read_unit(grader.unit).factor)  # type: ignore[arg-type]
         for name, grader in solved.answers.items()
         if isinstance(grader, Quantity)
-        for unit in (1.0, read_unit(grader.unit).factor)
     ]
     formulas = [text for text in grading.reference(variant).values() if re.search(r"[a-z]\w*\(|\*", text)]
     public = list(printed(dump(variant)["givens"]))
     public += [abs(one - other) for one in public for other in public]
-    hidden = [value for value in shown if value > 1e-6 and not any(isclose(value, known) for known in public)]
-    return hidden, formulas
+
+    def secret(value: float) -> bool:
+        return value > 1e-6 and not any(isclose(value, known) for known in public)
+
+    hidden = [value / unit for value, factor in asked if secret(value) for unit in (1.0, factor)]
+    return list(filter(secret, hidden)), formulas
 
 
 def printed(givens: Any) -> Iterator[float]:

@@ -7,7 +7,7 @@ named by the student; what the task names keeps its meaning.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, radians, sin
+from math import cos, pi, radians, sin, sqrt
 
 from exercises.exercise import Draw, Exercise, Mistake, Values, given
 from exercises.linkages.slider_crank_polygon.motion import NODES, mechanism
@@ -17,7 +17,7 @@ from graders.polygon.mechanism import Mechanism
 from mechanics import planar
 
 ANGLES = [a for a in range(20, 341, 5) if a % 90 not in (0, 5, 45, 85)]  # far from where an answer vanishes
-SPANS = (0.2, 0.3, 0.4, 0.5, 0.8, 1.0, 1.5)  # s
+SPANS = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.8, 1.0, 1.5)  # s
 CANCELLED = 0.2  # a sum that is smaller than this part of its terms is lost in the rounding of earlier answers
 
 
@@ -76,8 +76,9 @@ def judged_by(givens: Givens, values: Values, states: States) -> Mechanism:
 
 
 def machine(givens: Givens) -> Machine:
-    """Give the mechanism as the page of the laboratory moves it: a turn of the crank or a little more."""
-    turn = 2 * pi / givens.omega1
+    """Give the mechanism as the page of the laboratory moves it: about a turn of the crank at its growing speed."""
+    gain = abs(givens.epsilon1)
+    turn = 4 * pi / (givens.omega1 + sqrt(givens.omega1**2 + 4 * pi * gain))
     return Machine(
         drives=(Drive("alpha1", "omega1", "epsilon1"),),
         pairs=(Pair("turn", "alpha1"),),

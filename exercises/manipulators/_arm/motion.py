@@ -17,7 +17,7 @@ from graders.polygon.mechanism import Mechanism, State
 from mechanics.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute, solve
 
 KEPT = 20  # states are enough to judge by
-SPAN = 1.5  # s of the motion that the laboratory shows
+SPAN = 2.0  # s of the motion that the laboratory shows
 EDGES = (("A", "B"), ("B", "C"), ("C", "D"), ("A", "D"), ("A", "E"), ("E", "D"))
 REST: Trio = (0.0, 0.0, 0.0)
 Numbers: TypeAlias = Mapping[str, float]

@@ -1,0 +1,64 @@
+/* Samples of a motion as CSV: written for a spreadsheet, and read from a program that the student wrote elsewhere. */
+
+export interface Row {
+  t: number;
+  x: number;
+  v: number;
+  a: number;
+}
+
+export interface Difference {
+  column: "x" | "v" | "a";
+  most: number;
+  t: number;
+}
+
+const COLUMNS = ["t", "x", "v", "a"] as const;
+const MOST_ROWS = 5000;
+const LONGEST = 500_000; // characters
+
+/** Writes rows with a header; what is not known is left empty. Semicolons part, so that a comma may be decimal. */
+export function written(rows: readonly Row[], comma: boolean): string {
+  const number = (value: number): string => {
+    const text = Number.isFinite(value) ? String(Number(value.toPrecision(10))) : "";
+    return comma ? text.replace(".", ",") : text;
+  };
+  return [COLUMNS.join(";"), ...rows.map((row) => COLUMNS.map((name) => number(row[name])).join(";"))].join("\r\n") + "\r\n";
+}
+
+/** Reads a table with a header that names t and at least one of x, v, a; the number of the first bad line otherwise. */
+export function read(text: string): Row[] | { line: number } {
+  const lines = text.slice(0, LONGEST).replace(/^\ufeff/, "").split(/\r\n|\n|\r/);
+  const head = lines[0] ?? "";
+  const mark = [";", "\t", ","].find((sign) => head.includes(sign)) ?? ";";
+  const names = head.split(mark).map((name) => name.trim().toLowerCase().replace(/\s*[[(].*$/, ""));
+  if (!names.includes("t") || !["x", "v", "a"].some((name) => names.includes(name))) return { line: 1 };
+  const rows: Row[] = [];
+  for (const [at, line] of lines.entries()) {
+    if (at === 0 || line.trim() === "") continue;
+    const cells = line.split(mark);
+    const of = (name: string): number => (names.includes(name) ? number(cells[names.indexOf(name)] ?? "") : NaN);
+    const row = { t: of("t"), x: of("x"), v: of("v"), a: of("a") };
+    if (!Number.isFinite(row.t) || rows.length === MOST_ROWS) return { line: at + 1 };
+    rows.push(row);
+  }
+  return rows.length === 0 ? { line: 2 } : rows;
+}
+
+function number(text: string): number {
+  const plain = text.trim().replace(",", ".").replace("\u2212", "-");
+  return plain === "" || plain.length > 40 ? NaN : Number(plain);
+}
+
+/** The largest difference of each column that both have, and when it comes. */
+export function differences(rows: readonly Row[], ours: (t: number) => Row): Difference[] {
+  const found = new Map<Difference["column"], Difference>();
+  for (const row of rows) {
+    const own = ours(row.t);
+    for (const column of ["x", "v", "a"] as const) {
+      const most = Math.abs(row[column] - own[column]);
+      if (Number.isFinite(most) && most >= (found.get(column)?.most ?? 0)) found.set(column, { column, most, t: row.t });
+    }
+  }
+  return (["x", "v", "a"] as const).flatMap((column) => found.get(column) ?? []);
+}

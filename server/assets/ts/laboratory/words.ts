@@ -1,0 +1,31 @@
+/* Numbers and sentences as the reader's language writes them. */
+
+/** Puts values where a sentence names them. */
+export function filled(sentence: string, values: Record<string, string>): string {
+  return sentence.replace(/\{(\w+)\}/g, (whole, name: string) => values[name] ?? whole);
+}
+
+/** Decimals that show a number of figures of values as large as the scale. */
+export function decimals(scale: number, figures: number): number {
+  return Math.min(8, Math.max(0, figures - 1 - Math.floor(Math.log10(Math.abs(scale) || 1))));
+}
+
+export class Numbers {
+  private readonly language: string;
+
+  constructor(language: string) {
+    this.language = language;
+  }
+
+  get comma(): boolean {
+    return this.language !== "en";
+  }
+
+  /** A number with a true minus and a unit parted by a narrow space that does not break; a dash for none. */
+  shown(value: number, places: number, unit = ""): string {
+    if (!Number.isFinite(value)) return "–";
+    const text = Math.abs(value) < 0.5 * 10 ** -places ? (0).toFixed(places) : value.toFixed(places);
+    const said = (this.comma ? text.replace(".", ",") : text).replace("-", "\u2212");
+    return unit === "" ? said : `${said}\u202f${unit}`;
+  }
+}
