@@ -238,7 +238,8 @@ def assemble(joints: Sequence[Joint], start: Sequence[Pose]) -> tuple[Pose, ...]
         if step is None:
             break
         if gap <= CLOSED * size:
-            return _moved(poses, step, 1.0)
+            last = _moved(poses, step, 1.0)
+            return last if _gap(_rows(joints, last, still)) < gap else poses
         for halving in range(HALVINGS):
             tried = _moved(poses, step, 0.5**halving)
             new_rows = _rows(joints, tried, still)

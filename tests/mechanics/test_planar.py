@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from mechanics import planar, slider_crank
 from mechanics.errors import AssemblyError, SingularError
+from mechanics.newton_linkages import four_bar_joints
 from mechanics.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute
 from mechanics.slider_crank import Branch
 
@@ -183,6 +184,31 @@ def _arm_reaching(x: float, guess: float) -> Motion:
     """An arm of 1 m whose tip is driven to an abscissa."""
     joints: list[Joint] = [Revolute(Marker(0), Marker(1)), Driver("slide", Marker(0), Marker(1, 1.0), x, 0.5)]
     return planar.solve(joints, [(0, 0, guess)])
+
+
+@pytest.mark.parametrize(
+    ("bars", "angle", "guess"),
+    [
+        (
+            (0.19338991806459402, 0.012742942418480022, 1.3030204160239092, 1.124076479574071),
+            9.281025310673364,
+            1.9594737928750157,
+        ),
+        (
+            (0.10647568432836879, 0.11445968664051645, 1.2963149550321853, 1.2874041771697997),
+            6.409660715561877,
+            0.20537074622319934,
+        ),
+    ],
+)
+def test_the_last_step_near_a_dead_position_does_not_open_the_joints_again(
+    bars: tuple[float, float, float, float], angle: float, guess: float
+) -> None:
+    joints = four_bar_joints(*bars, angle, 1.0, 0.0)
+    pin = (bars[0] * cos(angle), bars[0] * sin(angle))
+    poses = planar.assemble(joints, [(0, 0, angle), (*pin, guess), (bars[3], 0, guess + 1)])
+    gaps = [row.residual for joint in joints for row in joint.rows(poses, [planar.FRAME] * 4)]
+    assert gaps == pytest.approx([0.0] * 9, abs=2e-11)
 
 
 def test_an_arm_driven_by_its_tip_turns_to_the_arc_cosine() -> None:
