@@ -132,11 +132,11 @@ def _attributes(values: Mapping[str, object]) -> str:
 
 
 def _hint(item: Mark, lang: str) -> str:
-    if not (item.grade and item.grade.mistake and item.variant):
+    if not (item.grade and (item.grade.mistake or item.grade.slip) and item.variant):
         return ""
-    from exercises.presenting import hint_text
+    from exercises.presenting import hints_text
 
-    return hint_text(item.variant, item.grade.mistake, lang)
+    return hints_text(item.variant, item.grade, lang)
 
 
 def _percent(score: float, lang: str) -> str:

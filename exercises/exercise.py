@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 from exercises.draw import Draw
 from exercises.givens import each, given, option
 from graders import Grader, States, Value, Verdict
+from graders.common_slips import CommonSlip
 
 if TYPE_CHECKING:
     from figures.machine import Machine
@@ -106,6 +107,7 @@ class Grade:
         counted: Whether the submission uses up an attempt where attempts are limited.
         provisional: Some answer is undecided or failed by our fault and will be settled by the lecturer.
         grader_version: Version of the judges that made this grade.
+        slip: A slip of any kind of task that explains every wrong answer, or those that `mistake` does not.
     """
 
     verdicts: Mapping[str, Verdict]
@@ -114,6 +116,7 @@ class Grade:
     counted: bool
     provisional: bool
     grader_version: str
+    slip: CommonSlip | None = None
 
 
 __all__ = [

@@ -2,25 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import chain, islice, takewhile
 from typing import Any
 
 from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
-from exercises.solving import NO_SECRET, Kept, Solved
-from exercises.variants import slips
+from exercises.solving import NO_SECRET, Kept, Lines, Solved, evaluate
+from exercises.variants import Predictions, misread, modes, slips, unasked
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
-from graders.language import Tree
+from graders.common_slips import CommonSlip, Slips, agrees, likeliest, slips_of
+from graders.judge import Matrix
+from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError
 from graders.language.notes import notes_of
+from graders.line_slips import slips_in
 from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
 
 GRADER_VERSION = "1"
-PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference
+PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference, either way
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
 OFF = (Outcome.PARTLY, Outcome.WRONG)
+FULL = 2 / 3  # of the share of entries of a right matrix that are not zero
+FEW = 2  # things counted
+MOST_TRIED = 120  # slips in lines that are not asked for
+MEASURED = ("quantity", "matrix")
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """The verdicts on a submission, and what stands behind them.
+
+    Attributes:
+        verdicts: By answer, in the order asked.
+        expected: What each answer that could be read was judged against.
+        own: For a wrong answer all values as they follow from the student's own earlier ones.
+    """
+
+    verdicts: dict[str, Verdict]
+    expected: dict[str, Any]
+    own: dict[str, Mapping[str, Value]]
 
 
 class UnknownAnswer(ValueError):
@@ -48,8 +71,8 @@ def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = 
     errors = {name: v for name, v in read.items() if isinstance(v, Verdict) and v is not EMPTY}
     if limited and errors:
         return Grade(errors, 0.0, None, False, False, GRADER_VERSION)
-    verdicts = _judge(solved, read)
-    return _grade(solved, verdicts, _mistake(solved, read, verdicts))
+    judged = _judge(solved, read)
+    return _grade(solved, judged.verdicts, *explained(solved, read, judged))
 
 
 def failed(submission: Submission) -> Grade:
@@ -96,21 +119,22 @@ def _read(solved: Solved, name: str, text: str) -> Any:
         return unreadable(error)
 
 
-def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
+def _judge(solved: Solved, read: Mapping[str, Any]) -> Judged:
     """Judge the answers in order; a wrong one is carried, and later ones are solved again from it.
 
     After a right one in which the student chooses freely (frames of a chain) they are solved from his own choice.
     """
-    verdicts: dict[str, Verdict] = {}
+    judged = Judged({}, {}, {})
     fixed: dict[str, Value | Tree] = {}
     values = solved.values
     for name, answer in read.items():
         if isinstance(answer, Verdict):
-            verdicts[name] = answer
+            judged.verdicts[name] = answer
             continue
-        verdict = solved.answers[name].check(answer, _against(solved, read, name, solved.reference(name, values)))
+        expected = judged.expected[name] = _against(solved, read, name, solved.reference(name, values))
+        verdict = solved.answers[name].check(answer, expected)
         if verdict.outcome in OFF:
-            if fixed and _follows(solved, name, answer, fixed):
+            if fixed and _follows(solved, name, answer, fixed, judged.own):
                 verdict = FOLLOWED
             _carry(solved, name, answer, fixed)
         elif _free(solved, name) and verdict is RIGHT:
@@ -118,8 +142,8 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> dict[str, Verdict]:
             with suppress(UndefinedError):  # a table without a value at the numbers of this variant
                 values = solved.again(fixed={**fixed, **chosen})
                 fixed |= chosen
-        verdicts[name] = verdict
-    return verdicts
+        judged.verdicts[name] = verdict
+    return judged
 
 
 def _free(solved: Solved, name: str) -> bool:
@@ -132,17 +156,22 @@ def _against(solved: Solved, read: Mapping[str, Any], name: str, reference: Any)
     return reference if beside is None or isinstance(beside, Verdict) else reference.beside(beside)
 
 
-def _follows(solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree]) -> bool:
-    """Tell whether an answer is right when solved from the student's own earlier values."""
+def _follows(
+    solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree], own: dict[str, Mapping[str, Value]]
+) -> bool:
+    """Tell whether an answer is right when solved from the student's own earlier values, which are noted."""
     step, grader = solved.step_of(name), solved.answers[name]
     if grader.symbolic or step not in solved.steps:
         return False
-    own = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
+    kept = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
     try:
-        values = solved.again(fixed=own)
+        values = own[name] = solved.again(fixed=kept)
     except UndefinedError:
         return False
-    return _plausible(values[step], solved.values[step]) and grader.check(answer, values[step]).code is Code.RIGHT
+    return (
+        plausible(values[step], solved.values[step], grader.kind == "integer")
+        and grader.check(answer, values[step]).code is Code.RIGHT
+    )
 
 
 def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree]) -> None:
@@ -150,40 +179,40 @@ def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree
     step, carried = solved.step_of(name), solved.answers[name].carried(answer)
     if carried is None:
         return
-    if isinstance(carried, float | tuple | str) and not _plausible(carried, solved.values[step]):
+    try:
+        value = carried if isinstance(carried, float | tuple | str) else solved.again(fixed={step: carried})[step]
+    except UndefinedError:
         return
-    fixed[step] = carried
+    if plausible(value, solved.values[step], solved.answers[name].kind == "integer"):
+        fixed[step] = carried
 
 
-def _plausible(value: Value, right: Value) -> bool:
+def plausible(value: Value, right: Value, counts: bool = False) -> bool:
+    """Tell whether later answers may be solved from a value: neither trivial nor far from the right one in size.
+
+    The sign is free: to lose it is an ordinary slip. A matrix has the size of the right one, and is as full: zeros make
+    what follows trivial. So does a zero, but one that counts (pairs, freedoms) may stand for a few, or a few for it.
+    """
     if isinstance(value, str) or isinstance(right, str):
         return True
+    if isinstance(value, tuple) and isinstance(right, tuple):
+        (size, full), (right_size, right_full) = map(_filled, (value, right))
+        return full >= FULL * right_full and right_size / PLAUSIBLE < size < right_size * PLAUSIBLE
     if isinstance(value, tuple) or isinstance(right, tuple):
-        entries = [abs(e) for row in value for e in row] if isinstance(value, tuple) else []
-        return bool(entries) and 0 < max(entries) < PLAUSIBLE * PLAUSIBLE
+        return False
+    if counts and not (value and right):
+        return abs(value - right) <= FEW
     return abs(right) / PLAUSIBLE < abs(value) < abs(right) * PLAUSIBLE
 
 
-def _mistake(solved: Solved, read: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> str | None:
-    """Name the known slip that predicts every answer given, if some answer is not right."""
-    given = {
-        name: answer
-        for name, answer in read.items()
-        if not isinstance(answer, Verdict) and verdicts[name].code is not Code.KEPT
-    }
-    if not any(verdicts[name].outcome in OFF or verdicts[name] is FOLLOWED for name in given):
-        return None
-    for mistake, expected in slips(solved, _chosen(solved, given, verdicts)):
-        if all(
-            _predicted(solved, name, answer, _against(solved, read, name, expected[name]))
-            for name, answer in given.items()
-        ):
-            return mistake
-    return None
+def _filled(matrix: Matrix) -> tuple[float, float]:
+    """Give the largest entry of a matrix, and the share of entries that are not negligible beside it."""
+    entries = [abs(entry) for row in matrix for entry in row]
+    return max(entries), sum(entry > max(entries) / PLAUSIBLE**2 for entry in entries) / len(entries)
 
 
 def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> dict[str, Value | Tree]:
-    """Give the right answers in which the student chose freely: his slips stand on his own choice."""
+    """Give the right answers in which the student chose freely: what is behind them stands on his own choice."""
     carried = {
         solved.step_of(name): solved.answers[name].carried(answer)
         for name, answer in given.items()
@@ -192,11 +221,161 @@ def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Ver
     return {step: own for step, own in carried.items() if own is not None}
 
 
-def _predicted(solved: Solved, name: str, answer: Any, expected: Any) -> bool:
-    return solved.answers[name].check(answer, expected).code is Code.RIGHT
+def explained(solved: Solved, read: Mapping[str, Any], judged: Judged) -> tuple[str | None, CommonSlip | None]:
+    """Name what explains all that is wrong: a known slip of the exercise, a common one, or one of each."""
+    given = {
+        name: answer
+        for name, answer in read.items()
+        if not isinstance(answer, Verdict) and judged.verdicts[name].outcome is not Outcome.UNDECIDED
+    }
+    off = [name for name in given if judged.verdicts[name].outcome in OFF]
+    if not off:
+        return None, None
+    seen = Seen(solved, read, judged, given, sorted(off, key=lambda name: solved.answers[name].symbolic))
+    chosen, nearly = _chosen(solved, given, judged.verdicts), list[tuple[str, Predictions, list[str]]]()
+    for mistake, expected in slips(solved, chosen):
+        missed = seen.missed(expected)
+        if missed == []:
+            return mistake, None
+        if missed:
+            nearly.append((mistake, expected, missed))
+    common = CommonSlip.FIELDS_EXCHANGED if seen.exchanged() else likeliest(seen.common(name) for name in off)
+    if common:
+        return None, common
+    for mistake, expected, missed in nearly:
+        common = likeliest(seen.beside(expected, missed))
+        if common:
+            return mistake, common
+    if seen.in_the_other_mode():
+        return None, CommonSlip.DEGREES_RADIANS
+    sources = seen.sources()
+    for slip, name, line in chain(islice(unasked(solved, sources), MOST_TRIED), misread(solved, sources)):
+        if seen.led_by(slip, name, line, chosen):
+            return None, slip
+    return None, None
 
 
-def _grade(solved: Solved, verdicts: dict[str, Verdict], mistake: str | None) -> Grade:
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A submission beside what slips lead to; `off` are the wrong answers, the numbers first."""
+
+    solved: Solved
+    read: Mapping[str, Any]
+    judged: Judged
+    given: Mapping[str, Any]
+    off: list[str]
+
+    def _against(self, name: str, expected: Any) -> Any:
+        return _against(self.solved, self.read, name, expected)
+
+    def _is(self, name: str, expected: Any) -> bool:
+        return self.solved.answers[name].check(self.given[name], expected).code is Code.RIGHT
+
+    def _agrees(self, name: str, value: Value) -> bool:
+        return agrees(self.solved.answers[name], self.given[name], value)
+
+    def predicted(self, name: str, expected: Mapping[str, Any]) -> bool:
+        """Tell whether an answer is the one expected; what was judged before is not judged again."""
+        wanted = self._against(name, expected[name])
+        if wanted == self.judged.expected[name]:
+            return self.judged.verdicts[name].code is Code.RIGHT
+        return self._is(name, wanted)
+
+    def missed(self, expected: Mapping[str, Any]) -> list[str] | None:
+        """Give the wrong answers that a slip does not predict; None where it predicts none, or another one wrongly."""
+        hits = {name for name in self.off if self.predicted(name, expected)}
+        if not hits or not all(name in self.off or self.predicted(name, expected) for name in self.given):
+            return None
+        return [name for name in self.given if name in self.off and name not in hits]
+
+    def exchanged(self) -> bool:
+        """Tell whether two answers stand in each other's fields."""
+        moved = [name for name in self.given if self.judged.verdicts[name].code is not Code.RIGHT]
+        if len(moved) != 2 or len({self.solved.answers[name].kind for name in moved}) > 1:
+            return False
+        one, other = moved
+        if self.solved.answers[one].kind not in ("quantity", "matrix"):
+            return False
+        return self._agrees(one, self.judged.expected[other]) and self._agrees(other, self.judged.expected[one])
+
+    def common(self, name: str) -> Slips:
+        """Give the common slips that make a wrong answer out of the right one, or of what follows from earlier ones."""
+        grader, answer, step = self.solved.answers[name], self.given[name], self.solved.step_of(name)
+        found = slips_of(grader, answer, self.judged.expected[name])
+        if grader.symbolic or step not in self.solved.steps:
+            return found
+        own = self.judged.own.get(name)
+        if own:
+            found |= slips_of(grader, answer, own[step])
+        return found | self._in_its_line(name, own or self.solved.values)
+
+    def _in_its_line(self, name: str, values: Mapping[str, Value]) -> Slips:
+        """Give the slips in the line of a step that lead to an answer."""
+        line = self.solved.steps[self.solved.step_of(name)]
+        found = set[CommonSlip]()
+        for slip, changed in slips_in(parse_line(line)) if isinstance(line, str) else ():
+            with suppress(UndefinedError):
+                if slip not in found and self._agrees(name, evaluate(changed, values)):
+                    found.add(slip)
+        return frozenset(found)
+
+    def beside(self, expected: Predictions, missed: Iterable[str]) -> Iterator[Slips]:
+        """Give the common slips that explain the answers a known slip does not; later ones may follow from them."""
+        fixed: dict[str, Value | Tree] = {}
+        for name in missed:
+            if not (fixed and self.predicted(name, expected.following(fixed))):
+                yield slips_of(self.solved.answers[name], self.given[name], self._against(name, expected[name]))
+            _carry(self.solved, name, self.given[name], fixed)
+
+    def sources(self) -> frozenset[str]:
+        """Give the givens and steps on which the first wrong number stands, and no right one before it."""
+        solved, verdicts = self.solved, self.judged.verdicts
+        before = takewhile(lambda name: name != self.off[0], self.given)
+        right = [name for name in before if verdicts[name] is RIGHT and not solved.answers[name].symbolic]
+        wrong, *settled = (solved.below(solved.step_of(name)) for name in (self.off[0], *right))
+        return wrong.difference(*settled)
+
+    def in_the_other_mode(self) -> bool:
+        """Tell whether every wrong answer comes from sines and cosines in degrees for radians, or the other way."""
+        return any(all(self._by_mode(name, lines) for name in self.off) for lines in modes(self.solved))
+
+    def _by_mode(self, name: str, lines: Lines) -> bool:
+        step = self.solved.step_of(name)
+        if self.solved.answers[name].symbolic or step not in lines:
+            return False
+        sources = ({step: lines[step]}, lines)
+        own = self.judged.own.get(name)
+        try:
+            found = [self.solved.again(replaced=source)[step] for source in sources]
+            found += [evaluate(lines[step], own)] if own is not None else []
+        except UndefinedError:
+            return False
+        return any(self._agrees(name, value) for value in found)
+
+    def led_by(self, slip: CommonSlip, name: str, line: Tree, chosen: Mapping[str, Value | Tree]) -> bool:
+        """Tell whether one line, or a given that is misread, leads to every answer.
+
+        A given misread is told by two wrong answers; by one only where it is a prefix, so far off as chance is not.
+        """
+        first, given = self.off[0], name not in self.solved.steps
+        if self.solved.answers[first].kind not in (MEASURED if given else (*MEASURED, "set")):
+            return False
+        if given and len(self.off) < 2 and slip is not CommonSlip.KILO_PREFIX:
+            return False
+        step = self.solved.step_of(first)
+        try:
+            changed = evaluate(line, self.solved.values)
+            if not self._agrees(first, self.solved.onward(name, changed, step)[step]):
+                return False
+            expected = Predictions(self.solved, self.solved.again({name: line}, chosen), {name: line})
+            return all(self.predicted(answer, expected) for answer in (self.given if given else self.off))
+        except UndefinedError:
+            return False
+
+
+def _grade(
+    solved: Solved, verdicts: dict[str, Verdict], mistake: str | None = None, slip: CommonSlip | None = None
+) -> Grade:
     weights = {name: grader.weight for name, grader in solved.answers.items()}
     score = sum(weights[name] * verdict.score for name, verdict in verdicts.items()) / sum(weights.values())
     outcomes = {verdict.outcome for verdict in verdicts.values()}
@@ -204,6 +383,7 @@ def _grade(solved: Solved, verdicts: dict[str, Verdict], mistake: str | None) ->
         verdicts=verdicts,
         score=round(score, 6),
         mistake=mistake,
+        slip=slip,
         counted=any(outcome in JUDGED for outcome in outcomes),
         provisional=Outcome.UNDECIDED in outcomes,
         grader_version=GRADER_VERSION,

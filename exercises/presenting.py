@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from html import escape
 from typing import Any
 
 from exercises import catalogue, solving
-from exercises.exercise import Variant
+from exercises.exercise import Grade, Variant
 from exercises.givens import numbers
 from exercises.solving import Solved
 from exercises.words import Printed, Words, fill, html, indexed, inline, plain, printed_unit, with_unit
@@ -18,7 +19,7 @@ from graders.language import parse_line
 from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
 from graders.units import read_unit
-from graders.words import decimal, tolerance
+from graders.words import common_hint, decimal, tolerance
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +141,18 @@ def hint(variant: Variant, mistake: str, lang: str) -> str:
 def hint_text(variant: Variant, mistake: str, lang: str) -> str:
     """Give the hint of a known slip as plain text."""
     return plain(words_of(variant.exercise, lang)["mistakes"][mistake])
+
+
+def hints(variant: Variant, grade: Grade, lang: str) -> tuple[str, ...]:
+    """Give the hints of a grade as HTML: of the exercise's own slip, then of the common one."""
+    own = (hint(variant, grade.mistake, lang),) if grade.mistake else ()
+    return (*own, escape(common_hint(grade.slip, lang))) if grade.slip else own
+
+
+def hints_text(variant: Variant, grade: Grade, lang: str) -> str:
+    """Give the hints of a grade as plain text; empty where none fits."""
+    own = (hint_text(variant, grade.mistake, lang),) if grade.mistake else ()
+    return " ".join((*own, common_hint(grade.slip, lang)) if grade.slip else own)
 
 
 def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import chain
@@ -18,6 +18,7 @@ from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, domain_test, line_runner, run
 from graders.language.grids import Rows, rows_of
 from graders.language.program import Runner, Table
+from graders.language.text import text_of
 from graders.language.tree import Grid
 from graders.language.tree import names as names_in
 from graders.states import drawn
@@ -25,6 +26,7 @@ from graders.states import drawn
 Kept: TypeAlias = tuple[tuple[str, Value], ...]
 SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
+Lines: TypeAlias = Mapping[str, Line | Tree]
 
 
 def evaluate(line: Line | Tree, values: Mapping[str, Value]) -> Value:
@@ -52,6 +54,10 @@ def _parameters(function: Callable[..., Value]) -> tuple[str, ...]:
     return tuple(inspect.signature(function).parameters)
 
 
+def _inputs(line: Line) -> Sequence[str]:
+    return _parameters(line) if callable(line) else _runner(line).inputs
+
+
 def _checked(value: Value) -> Value:
     if isinstance(value, str):
         return value
@@ -63,7 +69,7 @@ def _checked(value: Value) -> Value:
 def solve(
     exercise: AnyExercise,
     givens: Any,
-    replaced: Steps | None = None,
+    replaced: Lines | None = None,
     fixed: Mapping[str, Value | Tree] | None = None,
 ) -> dict[str, Value]:
     """Solve a variant's steps in order.
@@ -88,7 +94,7 @@ def _start(givens: Any) -> dict[str, Value]:
 
 
 def _solve(
-    steps: Steps, start: Mapping[str, Value], replaced: Steps, fixed: Mapping[str, Value | Tree]
+    steps: Steps, start: Mapping[str, Value], replaced: Lines, fixed: Mapping[str, Value | Tree]
 ) -> dict[str, Value]:
     values = {**start, **{name: evaluate(line, start) for name, line in replaced.items() if name in start}}
     for name, line in steps.items():
@@ -116,6 +122,7 @@ class Solved:
     steps: Steps = field(init=False)
     _start: dict[str, Value] = field(init=False)
     _formulas: Formulas = field(init=False)
+    _below: dict[str, frozenset[str]] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         givens = self.variant.givens
@@ -125,15 +132,34 @@ class Solved:
         self.values = self.again(fixed=dict(self.kept))
         self._formulas = self._topology()
 
-    def again(self, replaced: Steps | None = None, fixed: Mapping[str, Value | Tree] | None = None) -> dict[str, Value]:
+    def again(self, replaced: Lines | None = None, fixed: Mapping[str, Value | Tree] | None = None) -> dict[str, Value]:
         """Solve the variant with some lines replaced or some steps fixed; as `solve`."""
         return _solve(self.steps, self._start, replaced or {}, fixed or {})
+
+    def onward(self, name: str, value: Value, until: str) -> dict[str, Value]:
+        """Change a given or a step, and solve again what stands on it, up to a step; raises UndefinedError."""
+        values, touched, behind = {**self.values, name: value}, {name}, name in self._start
+        for step, line in self.steps.items():
+            if behind and not touched.isdisjoint(_inputs(line)):
+                values[step] = evaluate(line, values)
+                touched.add(step)
+            if step == until:
+                break
+            behind = behind or step == name
+        return values
+
+    def below(self, step: str) -> frozenset[str]:
+        """Give the givens and steps on which a step stands."""
+        if step not in self._below:
+            inputs = _inputs(self.steps[step]) if step in self.steps else ()
+            self._below[step] = frozenset(inputs).union(*map(self.below, inputs))
+        return self._below[step]
 
     def step_of(self, answer: str) -> str:
         """Give the step an answer asks for."""
         return self.answers[answer].step or answer
 
-    def reference(self, answer: str, values: Mapping[str, Value] | None = None, replaced: Steps | None = None) -> Any:
+    def reference(self, answer: str, values: Mapping[str, Value] | None = None, replaced: Lines | None = None) -> Any:
         """Give what an answer is judged against: a value, or a formula with its true states.
 
         A replaced given leaves a formula answer as it is; only a replaced step changes it.
@@ -144,9 +170,10 @@ class Solved:
             return made(self.variant.givens, values or self.values, self.states(step))
         if self.answers[answer].symbolic:
             line = (replaced or {}).get(step, self.steps[step])
-            if not isinstance(line, str):
+            if callable(line):
                 raise TypeError(f"step {step!r} is a function; a symbolic answer needs a formula step")
-            return Formula(self._formulas.formula(step, line), self.states(step))
+            text = line if isinstance(line, str) else text_of(line)
+            return Formula(self._formulas.formula(step, text), self.states(step))
         return (values or self.values)[step]
 
     def symbols(self, answer: str) -> Symbols:

@@ -3,30 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import combinations
+from functools import lru_cache
+from itertools import combinations, zip_longest
+from math import pi
 from typing import Any
 
 from exercises import catalogue
 from exercises.draw import Draw, Rejected
-from exercises.exercise import AnyExercise, Steps, Variant
-from exercises.givens import Json
+from exercises.exercise import AnyExercise, Variant
+from exercises.givens import Json, domains
 from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
-from exercises.solving import Solved
+from exercises.solving import Lines, Solved
 from graders import Value
-from graders.language import Tree
+from graders.common_slips import CommonSlip
+from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError
+from graders.language.tree import Binary, Call, Name, Number, Unary, mapped
+from graders.line_slips import slips_in
 
 MAX_SEED = 2**53 - 1
 REDRAWS = 100
 NOTHING_CHOSEN: Mapping[str, Value | Tree] = {}
+TURNING = ("sin", "cos", "tan", "cot")
+MISREAD = (
+    (CommonSlip.OPPOSITE_SIGN, Unary("-", Number("1"))),
+    (CommonSlip.KILO_PREFIX, Number("1", 3)),
+    (CommonSlip.KILO_PREFIX, Number("1", -3)),
+    (CommonSlip.FACTOR_TWO, Number("2")),
+    (CommonSlip.FACTOR_TWO, Number("0.5")),
+)
 APART = 3.0  # tolerances between a mistake's prediction and the reference, in some answer
 
 
 class Predictions(Mapping[str, Any]):
     """The answers that a set of steps leads to, each reference made when it is first looked at."""
 
-    def __init__(self, solved: Solved, values: Mapping[str, Value], lines: Steps) -> None:
+    def __init__(self, solved: Solved, values: Mapping[str, Value], lines: Lines) -> None:
         self._solved, self._values, self._lines = solved, values, lines
         self._made: dict[str, Any] = {}
 
@@ -34,6 +47,13 @@ class Predictions(Mapping[str, Any]):
         if answer not in self._made:
             self._made[answer] = self._solved.reference(answer, self._values, self._lines)
         return self._made[answer]
+
+    def following(self, fixed: Mapping[str, Value | Tree]) -> Predictions:
+        """Give the same with some steps as the student has them; without a value they are as before."""
+        try:
+            return Predictions(self._solved, self._solved.again(self._lines, fixed), self._lines)
+        except UndefinedError:
+            return self
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._solved.answers)
@@ -88,6 +108,44 @@ def slips(solved: Solved, chosen: Mapping[str, Value | Tree] = NOTHING_CHOSEN) -
             yield name, Predictions(solved, solved.again(replaced=lines, fixed=chosen), lines)
         except UndefinedError:
             continue
+
+
+def modes(solved: Solved) -> Iterator[Lines]:
+    """Write the steps as a calculator does them that is set to radians where degrees are typed, and the other way."""
+    for factor in (180 / pi, pi / 180):
+        turned = {name: _in_mode(line, factor) for name, line in solved.steps.items() if isinstance(line, str)}
+        lines = {name: tree for name, tree in turned.items() if tree is not None}
+        if lines:
+            yield lines
+
+
+@lru_cache(maxsize=2048)
+def _in_mode(line: str, factor: float) -> Tree | None:
+    """Scale the arguments of sines, cosines and tangents; None for a line without them."""
+    times, tree = Number(repr(factor)), parse_line(line)
+
+    def scaled(node: Tree) -> Tree:
+        if isinstance(node, Call) and node.function in TURNING:
+            return Call(node.function, (Binary("*", node.arguments[0], times),))
+        return node
+
+    found = mapped(tree, scaled)
+    return None if found == tree else found
+
+
+def unasked(solved: Solved, names: frozenset[str]) -> Iterator[tuple[CommonSlip, str, Tree]]:
+    """Write lines that are not asked for with a slip in one place of each; from every line in turn."""
+    hidden = names - {solved.step_of(name) for name in solved.answers}
+    lines = {name: line for name, line in solved.steps.items() if name in hidden and isinstance(line, str)}
+    slipped = ([(slip, name, changed) for slip, changed in slips_in(parse_line(line))] for name, line in lines.items())
+    yield from (one for turn in zip_longest(*slipped) for one in turn if one)
+
+
+def misread(solved: Solved, names: frozenset[str]) -> Iterator[tuple[CommonSlip, str, Tree]]:
+    """Write givens with a wrong prefix, at double or half their size, with the opposite sign."""
+    for name, domain in domains(solved.variant.givens).items():
+        if name in names and not domain.integer:
+            yield from ((slip, name, Binary("*", Name(name), factor)) for slip, factor in MISREAD)
 
 
 def told_apart(solved: Solved) -> bool:

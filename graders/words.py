@@ -7,6 +7,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from graders.common_slips import CommonSlip
 from graders.language.errors import Reason
 from graders.language.notes import Note
 from graders.remarks import Remark, Remarks
@@ -68,6 +69,11 @@ def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:
     place, until = ("" if x is None else decimal(x, lang, 4) for x in (remark.place, remark.until))
     unit = f"\u202f{remark.unit}" if remark.unit not in ("", "deg") else "°" if remark.unit else ""
     return str(words["slips"][remark.slip.value]).format(place=place + unit, until=until + unit, name=remark.name)
+
+
+def common_hint(slip: CommonSlip, lang: str) -> str:
+    """Word the hint of a slip of any kind of task; it holds no value of the reference."""
+    return str(locale(lang)["common_slips"][slip.value])
 
 
 def noted(notes: Iterable[Note], lang: str) -> str:

@@ -10,7 +10,7 @@ from fastapi import APIRouter, Depends, Header, Request, Response
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
 
 from exercises import grading, presenting
-from exercises.exercise import Grade, Submission, Variant
+from exercises.exercise import Grade, Submission
 from graders import Code, Verdict
 from graders.verdict import Entries, Reading
 from graders.words import message
@@ -154,8 +154,8 @@ async def receipted(bench: Bench, reader: Reader, receipt: str) -> Marked:
 async def graded(bench: Bench, marked: Marked, language: str) -> Graded:
     """Word a stored grade in a language."""
     grade, handed = GRADE.validate_python(marked.grade), marked.handed
-    dealt = await bench.storage.variant(handed.variant) if grade.mistake else None
-    hints = [_hint(restored(dealt), grade.mistake, language)] if dealt and grade.mistake else []
+    dealt = await bench.storage.variant(handed.variant) if grade.mistake or grade.slip else None
+    hints = list(presenting.hints(restored(dealt), grade, language)) if dealt else []
     return Graded(
         score=grade.score,
         counted=grade.counted,
@@ -166,10 +166,6 @@ async def graded(bench: Bench, marked: Marked, language: str) -> Graded:
         variant=handed.variant,
         answers=dict(handed.answers),
     )
-
-
-def _hint(variant: Variant, mistake: str, language: str) -> str:
-    return presenting.hint(variant, mistake, language)
 
 
 def judged(verdict: Verdict, language: str) -> Judged:

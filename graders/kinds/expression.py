@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import isclose
 from typing import Any, ClassVar
 
+from graders.common_slips import CommonSlip, Slips
 from graders.formulas import Form, checked, has_form
-from graders.judge import Echo, Formula, Samples
+from graders.judge import Echo, Formula, Samples, States
+from graders.language.doubles import UndefinedError, line_runner, run
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Name, Relation, Tree, names
+from graders.language.tree import Binary, Name, Number, Relation, Tree, Unary, names
+from graders.line_slips import slips_in
 from graders.verdict import RIGHT, UNDECIDED, Code, Named, Verdict, Witness, wrong
 
 WRONG_FORM = {Form.PRODUCT: Code.NOT_A_PRODUCT, Form.NO_INVERSE: Code.HOLDS_INVERSE}
@@ -69,6 +73,29 @@ class Expression:
                 return Verdict(self.form_credit, WRONG_FORM[form])
         return RIGHT
 
+    def slips(self, answer: Tree, reference: Formula) -> Slips:
+        """Tell the opposite sign, a factor of two, the reciprocal, and slips in one place of the reference."""
+        for slip, mended in _mended(answer):
+            if self._likely(mended, reference.tree, reference.states) and self.check(mended, reference) is RIGHT:
+                return frozenset((slip,))
+        return frozenset(
+            slip
+            for slip, changed in slips_in(reference.tree)
+            if self._likely(answer, changed, reference.states)
+            and self.check(answer, Formula(changed, reference.states)) is RIGHT
+        )
+
+    @staticmethod
+    def _likely(one: Tree, other: Tree, states: States) -> bool:
+        """Tell whether two formulas agree in doubles at one state; that alone proves nothing."""
+        values = dict(zip(states.names, states.points[0], strict=True))
+        try:
+            for name, line in states.lines:
+                values[name] = _value(line, values)
+            return isclose(_value(one, values), _value(other, values), rel_tol=1e-6)
+        except UndefinedError:
+            return False
+
     def show(self, reference: Formula) -> str:
         """Write the formula as a student could type it."""
         return text_of(reference.tree)
@@ -100,3 +127,16 @@ class Expression:
         figures = {"figures": self.figures} if self.figures else {}
         asked = {"forms": [form.value for form in self.forms], "without": list(self.without)}
         return {**figures, **(asked if self.forms or self.without else {})}
+
+
+def _value(tree: Tree, values: Mapping[str, float]) -> float:
+    runner = line_runner(tree)
+    (found,) = run(runner, [values[name] for name in runner.inputs])
+    return float(found)
+
+
+def _mended(answer: Tree) -> Iterator[tuple[CommonSlip, Tree]]:
+    yield CommonSlip.OPPOSITE_SIGN, Unary("-", answer)
+    yield CommonSlip.INVERTED_RATIO, Binary("/", Number("1"), answer)
+    yield CommonSlip.FACTOR_TWO, Binary("*", Number("2"), answer)
+    yield CommonSlip.FACTOR_TWO, Binary("/", answer, Number("2"))

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from graders.common_slips import NONE, Slips
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex, through
@@ -14,6 +15,7 @@ from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 WHOLE = re.compile(r"\s*(?:(?:[^\W\d]\w{0,15}\s*)?[=≈]\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{0,9})?\s*")
+LONG = 20
 FULL_WIDTH = {0xFF10 + figure: str(figure) for figure in range(10)}
 
 
@@ -42,6 +44,14 @@ class Integer:
         if answer == reference:
             return RIGHT
         return wrong(Code.OPPOSITE_SIGN if answer == -reference else Code.WRONG)
+
+    def slips(self, answer: int, reference: float) -> Slips:
+        """A count is so small a number that slips cannot be told by it."""
+        return NONE
+
+    def agrees(self, answer: int, value: float) -> bool:
+        """Tell whether it is the value, and long enough to be no chance."""
+        return answer == value and abs(answer) >= LONG
 
     def show(self, reference: float) -> str:
         """Write the number."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 from math import inf, pi, remainder
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 from graders.angles import is_angle
+from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.language import doubles
@@ -22,7 +24,10 @@ from graders.units import Unit, read_unit
 from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
 
 GREATEST = 1e99
+T = TypeVar("T")
+CLOSE = 0.01  # relative, of an entry that is off by a slip
 ANGLE = (0, 0, 0, 1, 0)
+ALL = frozenset((CommonSlip.OPPOSITE_SIGN, CommonSlip.KILO_PREFIX, CommonSlip.DEGREES_RADIANS))
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,6 +103,37 @@ class Matrix:
         score = max(0.0, 1 - 2 * len(off) / total)
         return Verdict(score, Code.SOME_ENTRIES if score else Code.WRONG, Entries(off, total))
 
+    def slips(self, answer: Typed, reference: Rows) -> Slips:
+        """Tell whether rows stand for columns, or one slip explains each entry that is off."""
+        if (len(answer.rows), len(answer.rows[0])) != (len(reference), len(reference[0])):
+            return NONE
+        if any(self.apart(other, reference) <= 1 for other in _transposed(answer.rows)):
+            return frozenset((CommonSlip.ROWS_FOR_COLUMNS,))
+        if any(self.apart(other, reference) <= 1 for other in _exchanged(answer.rows)):
+            return frozenset((CommonSlip.EXCHANGED,))
+        bound, found = self.rtol * _scale(reference), ALL
+        for typed, true, off in zip(answer.rows, reference, self._differences(answer.rows, reference), strict=True):
+            for column, (one, other, difference) in enumerate(zip(typed, true, off, strict=True)):
+                if difference > bound:
+                    found &= self._off_by(column, one, other)
+        return found
+
+    def agrees(self, answer: Typed, value: Rows) -> bool:
+        """Tell whether each entry is that of the value on its own scale: one huge entry excuses no other."""
+        if (len(answer.rows), len(answer.rows[0])) != (len(value), len(value[0])):
+            return False
+        rows = zip(self._differences(answer.rows, value), value, strict=True)
+        return all(
+            difference <= self.rtol * max(1.0, abs(entry))
+            for differences, entries in rows
+            for difference, entry in zip(differences, entries, strict=True)
+        )
+
+    def _off_by(self, column: int, one: float, other: float) -> Slips:
+        if abs(other) <= 9 * self.rtol or not one:
+            return NONE
+        return off_by(one / other, min(self.rtol / abs(other), CLOSE), self._unit(column).dimension) & ALL
+
     def show(self, reference: Rows) -> str:
         """Write a reference in the printed units with eight decimals."""
         return "[" + ", ".join("[" + "; ".join(row) + "]" for row in self._written(reference)) + "]"
@@ -150,6 +186,30 @@ def _entry_at(before: str) -> tuple[int, int]:
         row, entries = before.count("]"), before.rpartition("[")[2]
         return row + 1, (entries.count(";") or entries.count(",")) + 1
     return before.count(";") + 1, before.rpartition(";")[2].count(",") + 1
+
+
+def _transposed(rows: Rows) -> Iterator[Rows]:
+    """Exchange rows and columns of a square matrix; of a homogeneous one perhaps those of its rotation alone."""
+    if len(rows) == len(rows[0]):
+        turned = tuple(zip(*rows, strict=True))
+        yield turned
+        if len(rows) == 4:
+            yield (*((*turned[at][:3], rows[at][3]) for at in range(3)), rows[3])
+
+
+def _exchanged(rows: Rows) -> Iterator[Rows]:
+    """Exchange two rows, or two entries of a row."""
+    for one, other in combinations(range(len(rows)), 2):
+        yield _swapped(rows, one, other)
+    for at, row in enumerate(rows):
+        for one, other in combinations(range(len(row)), 2):
+            yield (*rows[:at], _swapped(row, one, other), *rows[at + 1 :])
+
+
+def _swapped(items: tuple[T, ...], one: int, other: int) -> tuple[T, ...]:
+    found = list(items)
+    found[one], found[other] = found[other], found[one]
+    return tuple(found)
 
 
 def _scale(rows: Rows) -> float:

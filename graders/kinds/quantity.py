@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from graders.angles import is_angle, without_last_degree
+from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
@@ -26,6 +27,8 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 GREATEST = 1e99
 ANGLE = (0, 0, 0, 1, 0)  # dimension
 LONGEST = 200  # characters of an amount that is read at a glance
+ANGLES = 4 * math.pi  # beyond it whole turns are no other way to write an angle
+ROUNDED = 2e-4  # relative, what rounding on the way adds to an answer
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
 NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
@@ -123,6 +126,35 @@ class Quantity:
             if abs(value - reference) <= 5 * max(self.rtol * abs(reference), self.atol):
                 return Code.NOT_PRECISE
         return Code.WRONG
+
+    def slips(self, answer: Amount, reference: float) -> Slips:
+        """Tell which common slips explain a number, to the figures typed."""
+        expected = read_unit(self.unit)
+        if not answer.value or not reference or (answer.unit is not None and not fits(answer.unit, expected)):
+            return NONE
+        bound = self._typed_to(answer)
+        found = off_by(answer.value / reference, bound, expected.dimension)
+        if self._close(-answer.value, reference):
+            found |= {CommonSlip.OPPOSITE_SIGN}
+        if not any(expected.dimension) and abs(answer.value * reference - 1) <= bound:
+            found |= {CommonSlip.INVERTED_RATIO}
+        return found
+
+    def agrees(self, answer: Amount, value: float) -> bool:
+        """Tell whether a number is the value to the figures typed."""
+        expected = read_unit(self.unit)
+        if answer.unit is not None and not fits(answer.unit, expected):
+            return False
+        off = answer.value - value if abs(value) > ANGLES else self._difference(answer.value, value)
+        return abs(off) <= self._typed_to(answer) * abs(value)
+
+    def _typed_to(self, answer: Amount) -> float:
+        """Give half of the last figure and what earlier rounding may add, as a share of the number."""
+        number = answer.tree.operand if isinstance(answer.tree, Unary) else answer.tree
+        if not isinstance(number, Number):
+            return ROUNDED
+        figures = number.digits.replace(".", "").lstrip("0")
+        return min(self.rtol / 4, ROUNDED + 0.5 / max(1, int(figures or "1")))
 
     def apart(self, one: float, other: float) -> float:
         """Give |a - b| over the larger tolerance, an angle modulo a turn."""

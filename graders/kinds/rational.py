@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
+from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex, through
@@ -24,6 +25,8 @@ FINEST = 10**30
 LARGEST_POWER = 12
 DENOMINATOR = 10**6  # of a reference, which reaches a judge as a double
 NEAR = Fraction(1, 100)  # a rounded value within this share is told to be exact
+EXACTLY = 1e-12
+PURE = (0, 0, 0, 0, 0)
 NOTHING = Symbols(())
 
 
@@ -98,6 +101,14 @@ class Rational:
     def carried(self, answer: Ratio) -> float:
         """Give the value."""
         return float(answer.value)
+
+    def slips(self, answer: Ratio, reference: float) -> Slips:
+        """Tell the opposite sign, the reciprocal and a factor of two or of ten."""
+        value, expected = answer.value, exact(reference)
+        if not value or not expected:
+            return NONE
+        found = off_by(float(value / expected), max(self.rtol / 2, EXACTLY), PURE)
+        return found | {CommonSlip.INVERTED_RATIO} if self._same(1 / value, expected) else found
 
     def apart(self, one: float, other: float) -> float:
         """Two ratios are the same or far apart; with a tolerance, their distance in tolerances."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from html import escape
 from math import inf, pi
 from typing import Any, ClassVar
 
+from graders.common_slips import CommonSlip, Slips
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.kinds.quantity import Amount, Quantity
@@ -20,6 +21,11 @@ from graders.verdict import RIGHT, Branches, Code, Verdict, wrong
 
 EMPTY = "∅"
 ANGLE = (0, 0, 0, 1, 0)
+FACTORS = (  # that mend a number
+    (CommonSlip.OPPOSITE_SIGN, (-1.0,)),
+    (CommonSlip.DEGREES_RADIANS, (180 / pi, pi / 180)),
+    (CommonSlip.KILO_PREFIX, (1e-3, 1e3)),
+)
 Item = tuple[Amount, ...]
 
 
@@ -82,6 +88,22 @@ class Set:
         pairs = [(part, amount) for item in answer for part, amount in zip(self.parts, item, strict=True)]
         strange = any(part.check(amount, amount.value).code is Code.WRONG_DIMENSION for part, amount in pairs)
         return Code.WRONG_DIMENSION if strange and not right else Code.WRONG
+
+    def slips(self, answer: tuple[Item, ...], reference: Rows) -> Slips:
+        """Tell whether the branches are right but for one slip in one number of each, or in all numbers."""
+        places = [(at,) for at in range(len(self.parts))] + [tuple(range(len(self.parts)))]
+        return frozenset(
+            slip
+            for slip, factors in FACTORS
+            if any(self._mended(answer, reference, at, factor) for at in places for factor in factors)
+        )
+
+    def _mended(self, answer: tuple[Item, ...], reference: Rows, places: tuple[int, ...], factor: float) -> bool:
+        mended = tuple(
+            tuple(replace(a, value=a.value * factor, unit=None) if at in places else a for at, a in enumerate(item))
+            for item in answer
+        )
+        return self.check(mended, reference) is RIGHT
 
     def show(self, reference: Rows) -> str:
         """Write the branches in the printed units, eight figures."""

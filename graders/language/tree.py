@@ -5,8 +5,8 @@ Round trip: `parse(text_of(tree)) == tree` for every tree the parser can make.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
@@ -133,6 +133,24 @@ def walk(tree: Tree) -> Iterator[Tree]:
         node = pending.pop()
         yield node
         pending.extend(reversed(children(node)))
+
+
+def mapped(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
+    """Change a tree from its leaves up."""
+    match tree:
+        case Unary(operand=operand):
+            tree = replace(tree, operand=mapped(operand, change))
+        case Binary(left=left, right=right):
+            tree = replace(tree, left=mapped(left, change), right=mapped(right, change))
+        case Call(arguments=arguments):
+            tree = replace(tree, arguments=tuple(mapped(one, change) for one in arguments))
+        case Grid(rows=rows):
+            tree = replace(tree, rows=tuple(tuple(mapped(one, change) for one in row) for row in rows))
+        case Index(matrix=matrix):
+            tree = replace(tree, matrix=mapped(matrix, change))
+        case Relation(sides=sides):
+            tree = replace(tree, sides=tuple(mapped(one, change) for one in sides))
+    return change(tree)
 
 
 def order_exists(order: Tree) -> bool:

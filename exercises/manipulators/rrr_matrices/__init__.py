@@ -93,7 +93,7 @@ def steps(givens: Givens) -> Steps:
         **pairs(PAIR),
         "T": "A1*A2*A3",
         givens.coordinate: FORMULAS[givens.coordinate],
-        **{f"{name}_M": f"L3*T[{row};1] + T[{row};4]" for row, name in enumerate("xyz", 1)},
+        **column("L3*T[{row};1] + T[{row};4]"),
     }
 
 
@@ -106,6 +106,11 @@ def answers(givens: Givens) -> Answers:
         f"{givens.coordinate}_formula": Expression(step=givens.coordinate, weight=2),
         **{f"{name}_M": Quantity("m", rtol=0.005, atol=0.001) for name in "xyz"},
     }
+
+
+def column(line: str) -> Steps:
+    """Write the three coordinates of M by one line."""
+    return {f"{name}_M": line.format(row=row) for row, name in enumerate("xyz", 1)}
 
 
 def slip(formulas: Mapping[str, str], **lines: str) -> Mistake[Givens]:
@@ -133,6 +138,7 @@ EXERCISE = Exercise(
             arm("L1 + L2*cos(q2) + L3*cos(q2 - q3)", "L2*sin(q2) + L3*sin(q2 - q3)"),
             P="[[q1; 0; L1; pi/2], [q2; 0; L2; 0], [-q3; 0; 0; 0]]",
         ),
+        "frame_at_point": Mistake(P="[[q1; L1; 0; pi/2], [q2; 0; L2; 0], [-q3; 0; L3; 0]]", **column("T[{row};4]")),
         "point_forgotten": slip(arm("L2*cos(q2)", "L1 + L2*sin(q2)"), x_M="T[1;4]", y_M="T[2;4]", z_M="T[3;4]"),
         "product_reversed": Mistake(T="A3*A2*A1"),
         "factors_of_craig": Mistake(**pairs(CRAIG)),

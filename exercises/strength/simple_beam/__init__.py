@@ -148,6 +148,7 @@ EXERCISE: Exercise[Givens] = Exercise(
         "middle": Mistake(lambda givens: {"x_M": "({} + {})/2".format(*supported(givens))}),
         "section_exchanged": Mistake(W="h*b^2/6", I="h*b^3/12"),
         "half_height_lost": Mistake(W="b*h^2/12"),
+        "moment_for_modulus": Mistake(W="b*h^3/12"),
         "clamped": Mistake(C="0"),
         "positive_down": Mistake(lambda givens: {"v_K": f"-({elastic_line(givens)['v_K']})"}),
     },

@@ -12,6 +12,8 @@ from exercises.strength.stepped_shaft.parts import Torque, Tube
 if TYPE_CHECKING:
     from exercises.strength.stepped_shaft import Givens
 
+WIDE = 0.6  # a bore of this part of the diameter takes an eighth of J
+
 
 def order(givens: Givens) -> Sequence[int]:
     """Give the numbers of the segments from the free end to the wall."""
@@ -94,6 +96,18 @@ def difference(givens: Givens) -> Steps:
     stresses = [stress(T, part.D, part.d) for T, part in zip(found, parts, strict=True)]
     decides = givens.segments[stresses.index(max(stresses))]
     return per_segment(givens, "W", lambda segment: segment.W_difference) if isinstance(decides, Tube) else {}
+
+
+def bores_ignored(givens: Givens) -> Steps:
+    """Tubes taken as solid; it is seen where a bore is wide enough to matter."""
+    parts = [segment.part() for segment in givens.segments]
+    if not any(part.d > WIDE * part.D for part in parts):
+        return {}
+    names = [f"D{i}" if isinstance(one, Tube) else f"d{i}" for i, one in enumerate(givens.segments, 1)]
+    return {
+        **{f"J{i}": f"pi*{name}^4/32" for i, name in enumerate(names, 1)},
+        **{f"W{i}": f"pi*{name}^3/16" for i, name in enumerate(names, 1)},
+    }
 
 
 def unsigned_twist(givens: Givens) -> Steps:

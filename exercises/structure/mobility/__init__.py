@@ -153,6 +153,21 @@ def contact_as_joint(givens: Givens) -> Steps:
     return {"p5": f"{summed(givens.parts, 'p5')} + 1", "p4": "0"}
 
 
+def contact_forgotten(givens: Givens) -> Steps:
+    """The contact not seen as a pair."""
+    return {"p4": "0"} if any(counts(part).contacts for part in givens.parts) else {}
+
+
+def contact_as_both(givens: Givens) -> Steps:
+    """The contact counted in both classes."""
+    return {"p5": f"{summed(givens.parts, 'p5')} + 1"} if any(counts(part).contacts for part in givens.parts) else {}
+
+
+def contact_left_out(givens: Givens) -> Steps:
+    """The contact counted, but not in the formula."""
+    return {"F": "3*n - 2*p5"} if any(counts(part).contacts for part in givens.parts) else {}
+
+
 def contact_doubled(givens: Givens) -> Steps:
     """A contact takes two freedoms in the formula."""
     return {"F": "3*n - 2*p5 - 2*p4"} if any(counts(part).contacts for part in givens.parts) else {}
@@ -172,14 +187,22 @@ EXERCISE = Exercise(
     answers=answers,
     mistakes={
         "frame_moves": Mistake(F="3*(n + 1) - 2*p5 - p4"),
+        "frame_counted": Mistake(lambda givens: {"n": f"{summed(givens.parts, 'links')} + 1"}),
+        "joint_takes_one": Mistake(F="3*n - p5 - p4"),
+        "frame_taken_off": Mistake(F="3*(n - 1) - 2*p5 - p4"),
+        "formula_of_space": Mistake(F="6*n - 5*p5 - 4*p4"),
         "joint_once": Mistake(joint_once),
         "slider_forgotten": Mistake(slider_forgotten),
         "guide_forgotten": Mistake(guide_forgotten),
         "frame_joints_forgotten": Mistake(frame_joints_forgotten),
         "contact_as_joint": Mistake(contact_as_joint),
+        "contact_forgotten": Mistake(contact_forgotten),
+        "contact_as_both": Mistake(contact_as_both),
+        "contact_left_out": Mistake(contact_left_out),
         "contact_doubled": Mistake(contact_doubled),
         "roller_kept": Mistake(roller_kept),
         "loops_without_frame": Mistake(k="p5 + p4 - n + 1"),
+        "one_loop_lost": Mistake(k="p5 + p4 - (n + 1)"),
     },
     minutes=10,
 )

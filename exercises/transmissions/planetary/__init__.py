@@ -165,6 +165,7 @@ EXERCISE = Exercise(
         "fixed_axes": Mistake(fixed_axes),
         "internal_as_external": Mistake(internal_as_external),
         "external_once": Mistake(external_once),
+        "one_mesh_only": Mistake(u0="-z2/z1"),
         "planet_kept": Mistake(planet_kept),
         "planet_as_seen": Mistake(planet_as_seen),
     },

@@ -1,0 +1,90 @@
+"""Slips at the slider-crank (VP-2, needs section 7): signs, sine and cosine, modes, units, lost terms."""
+
+from __future__ import annotations
+
+from tests.slips.slip import S
+
+SLIPS = (
+    # the angle of the rod
+    S("minus lost in the projection on y", "lost_minus opposite_sign", {"alpha2": "asin(l1*sin(alpha1)/l2)"}),
+    S("minus lost in the field alone", "opposite_sign", {}, {"alpha2": "-alpha2"}),
+    S("cosine in the projection on y", "sine_cosine", {"alpha2": "-asin(l1*cos(alpha1)/l2)"}),
+    S("arc cosine for arc sine", "other_function", {"alpha2": "-acos(l1*sin(alpha1)/l2)"}),
+    S("arc tangent for arc sine", "other_function", {"alpha2": "-atan(l1*sin(alpha1)/(l2 + l1*cos(alpha1)))"}),
+    S("the other arc of the sine", "other_arc", {"alpha2": "pi + asin(l1*sin(alpha1)/l2)"}),
+    S("lengths exchanged", "exchanged", {"alpha2": "-asin(min(1; l2*sin(alpha1)/l1)*0.999)"}),
+    S("radians typed as degrees", "degrees_radians", {}, {"alpha2": "alpha2*pi/180"}),
+    S(
+        "interior angle at the slider without its sense",
+        "lost_minus opposite_sign",
+        {"alpha2": "abs(asin(l1*sin(alpha1)/l2))"},
+    ),
+    S("complement of the angle", "other_function", {"alpha2": "-(pi/2 - asin(l1*sin(alpha1)/l2))"}),
+    S("calculator in radians from the start", "degrees_as_radians", {"alpha1": "alpha1*180/pi"}),
+    S(
+        "calculator in radians for the rod's angle alone",
+        "degrees_radians degrees_as_radians",
+        {"alpha2": "-asin(l1*sin(alpha1*180/pi)/l2)"},
+    ),
+    # the position of the slider
+    S("slider in metres, typed as mm", "kilo_prefix factor_of_ten", {}, {"l3": "l3/1000"}),
+    S("slider off by ten", "power_of_ten factor_of_ten", {}, {"l3": "l3*10"}),
+    S("the rod taken as level", "factor_lost", {"l3": "l1*cos(alpha1) + l2"}),
+    S("crank forgotten in l3", "term_lost", {"l3": "l2*cos(alpha2)"}),
+    S("rod subtracted in l3", "term_sign", {"l3": "l1*cos(alpha1) - l2*cos(alpha2)"}),
+    S("crank subtracted in l3", "term_sign", {"l3": "l2*cos(alpha2) - l1*cos(alpha1)"}),
+    S("sines in the projection on x", "sine_cosine", {"l3": "l1*sin(alpha1) + l2*sin(alpha2)"}),
+    S("sine of the crank in the projection on x", "sine_cosine", {"l3": "l1*sin(alpha1) + l2*cos(alpha2)"}),
+    S("sine of the rod in the projection on x", "sine_cosine", {"l3": "l1*cos(alpha1) + l2*sin(alpha2)"}),
+    S("radians mode in l3 alone", "degrees_radians", {"l3": "l1*cos(alpha1*180/pi) + l2*cos(alpha2*180/pi)"}),
+    S("negative position", "opposite_sign", {}, {"l3": "-l3"}),
+    S("crank and rod exchanged in l3", "exchanged", {"l3": "l2*cos(alpha1) + l1*cos(alpha2)"}),
+    # the angular velocity of the rod, formula and number
+    S("minus lost in omega2", "speed_lost_minus", {"omega2": "l1*omega1*cos(alpha1)/(l2*cos(alpha2))"}),
+    S("minus lost in the number omega2 alone", "opposite_sign", {}, {"omega2": "-omega2"}),
+    S(
+        "minus lost in the formula omega2 alone",
+        "opposite_sign speed_lost_minus",
+        {},
+        {"omega2_formula": "=l1*omega1*cos(alpha1)/(l2*cos(alpha2))"},
+    ),
+    S("sine for cosine above", "sine_for_cosine", {"omega2": "-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"}),
+    S(
+        "sine for cosine above and below",
+        "sine_for_cosine sine_cosine",
+        {"omega2": "-l1*omega1*sin(alpha1)/(l2*sin(alpha2))"},
+    ),
+    S("sine for cosine below", "sine_cosine", {"omega2": "-l1*omega1*cos(alpha1)/(l2*sin(alpha2))"}),
+    S("the rod's cosine forgotten", "factor_lost", {"omega2": "-l1*omega1*cos(alpha1)/l2"}),
+    S("the crank's cosine forgotten", "factor_lost", {"omega2": "-l1*omega1/(l2*cos(alpha2))"}),
+    S("ratio of the lengths only", "factor_lost", {"omega2": "-l1*omega1/l2"}),
+    S("cosines exchanged", "exchanged", {"omega2": "-l1*omega1*cos(alpha2)/(l2*cos(alpha1))"}),
+    S("formula upside down", "inverted_ratio upside_down", {"omega2": "-l2*omega1*cos(alpha2)/(l1*cos(alpha1))"}),
+    S("lengths exchanged in omega2", "exchanged", {"omega2": "-l2*omega1*cos(alpha1)/(l1*cos(alpha2))"}),
+    S("the crank's speed forgotten", "factor_lost", {"omega2": "-l1*cos(alpha1)/(l2*cos(alpha2))"}),
+    S("omega2 in turns a minute", "turns_radians", {}, {"omega2": "omega2*30/pi"}),
+    S("omega2 in degrees a second", "degrees_radians", {}, {"omega2": "omega2*180/pi"}),
+    S("omega2 off by ten", "power_of_ten factor_of_ten", {}, {"omega2": "omega2/10"}),
+    S(
+        "radians mode in omega2 alone",
+        "degrees_radians",
+        {},
+        {"omega2": "-l1*omega1*cos(alpha1*180/pi)/(l2*cos(alpha2*180/pi))"},
+    ),
+    # the velocity of the slider
+    S("term of the rod lost", "rod_term_lost", {"v3": "-l1*omega1*sin(alpha1)"}),
+    S("term of the crank lost", "term_lost", {"v3": "-l2*omega2*sin(alpha2)"}),
+    S("sign of v3", "opposite_sign", {}, {"v3": "-v3"}),
+    S("sign of the rod's term", "term_sign", {"v3": "-l1*omega1*sin(alpha1) + l2*omega2*sin(alpha2)"}),
+    S("sign of the crank's term", "term_sign", {"v3": "l1*omega1*sin(alpha1) - l2*omega2*sin(alpha2)"}),
+    S("cosines in the derivative", "sine_cosine", {"v3": "-l1*omega1*cos(alpha1) - l2*omega2*cos(alpha2)"}),
+    S("v3 as of the pin", "factor_lost", {"v3": "l1*omega1"}),
+    S("v3 in mm/s", "kilo_prefix factor_of_ten", {}, {"v3": "v3*1000"}),
+    S("v3 off by ten", "power_of_ten factor_of_ten", {}, {"v3": "v3/10"}),
+    S("omega1 with the wrong sense", "opposite_sign", {"omega1": "-omega1"}),
+    S("alpha1 measured clockwise", "opposite_sign", {"alpha1": "-alpha1"}),
+    S("omega1 halved throughout", "factor_two", {"omega1": "omega1/2"}),
+    S("omega2 and v3 both in wrong thousands", "kilo_prefix", {}, {"omega2": "omega2*1000", "v3": "v3*1000"}),
+    S("minus lost and the slider in metres", "lost_minus", {"alpha2": "asin(l1*sin(alpha1)/l2)"}, {"l3": "l3/1000"}),
+    S("lost rod term and position in metres", "rod_term_lost", {"v3": "-l1*omega1*sin(alpha1)"}, {"l3": "l3/1000"}),
+)
