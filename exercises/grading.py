@@ -75,6 +75,12 @@ def grade(submission: Submission, secret: bytes = NO_SECRET, *, limited: bool = 
     return _grade(solved, judged.verdicts, *explained(solved, read, judged))
 
 
+def judge(variant: Variant, answer: str, text: str) -> Verdict:
+    """Judge one answer alone; nothing is explained."""
+    solved = solving.solved(variant)
+    return _judge(solved, {answer: _read(solved, answer, text)}).verdicts[answer]
+
+
 def failed(submission: Submission) -> Grade:
     """Give the grade of a submission that could not be graded by our fault: nothing counted, kept for the lecturer."""
     exercise = catalogue.load(submission.variant.exercise).exercise

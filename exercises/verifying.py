@@ -11,7 +11,7 @@ from typing import Any
 from exercises import catalogue, variants
 from exercises.exercise import Submission, Values, Variant
 from exercises.givens import Json, numbers
-from exercises.grading import grade, reference
+from exercises.grading import grade, judge, reference
 from exercises.presenting import presented, printed_givens, solution
 from exercises.solving import Kept, Solved, solve
 from exercises.words import Words
@@ -117,13 +117,12 @@ def _spellings(solved: Solved) -> Iterator[str]:
             if _full(solved, name, text):
                 yield f"answer {name}: {text!r} is graded right"
         for text in samples.unreadable:
-            if grade(Submission(solved.variant, {name: text})).verdicts[name].code not in (Code.UNREADABLE, Code.EMPTY):
+            if judge(solved.variant, name, text).code not in (Code.UNREADABLE, Code.EMPTY):
                 yield f"answer {name}: {text!r} is read"
 
 
 def _full(solved: Solved, name: str, text: str) -> bool:
-    code = grade(Submission(solved.variant, {name: text})).verdicts[name].code
-    return code in (Code.RIGHT, Code.KEPT)  # a lecturer reads what is kept
+    return judge(solved.variant, name, text).code in (Code.RIGHT, Code.KEPT)  # a lecturer reads what is kept
 
 
 def _mistakes(solved: Solved) -> Iterator[str]:

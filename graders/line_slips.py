@@ -10,7 +10,7 @@ from itertools import combinations
 from graders.common_slips import CommonSlip
 from graders.language.tree import Binary, Call, Grid, Index, Name, Number, Tree, Unary, children, mapped, names, walk
 
-MOST = 160  # changed lines of a line
+MOST = 240  # changed lines of a line
 TURNING = ("sin", "cos", "tan", "cot")
 SWAPPED = {"sin": ("cos",), "cos": ("sin",), "tan": ("cot",), "asin": ("acos", "atan"), "acos": ("asin", "atan")}
 SWAPPED |= {"atan": ("asin", "acos", "acot"), "sinh": ("cosh",), "cosh": ("sinh",), "min": ("max",), "max": ("min",)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from math import isclose
+from math import isclose, nan
 from typing import Any, ClassVar
 
 from graders.common_slips import CommonSlip, Slips
@@ -19,6 +19,7 @@ from graders.language.tree import Binary, Name, Number, Relation, Tree, Unary, n
 from graders.line_slips import slips_in
 from graders.verdict import RIGHT, UNDECIDED, Code, Named, Verdict, Witness, wrong
 
+LIKELY = 1e-6  # relative, between doubles at one state
 WRONG_FORM = {Form.PRODUCT: Code.NOT_A_PRODUCT, Form.NO_INVERSE: Code.HOLDS_INVERSE}
 
 
@@ -75,26 +76,17 @@ class Expression:
 
     def slips(self, answer: Tree, reference: Formula) -> Slips:
         """Tell the opposite sign, a factor of two, the reciprocal, and slips in one place of the reference."""
+        values = _first(reference.states)
+        typed, true = _value(answer, values), _value(reference.tree, values)
         for slip, mended in _mended(answer):
-            if self._likely(mended, reference.tree, reference.states) and self.check(mended, reference) is RIGHT:
+            if isclose(_value(mended, values), true, rel_tol=LIKELY) and self.check(mended, reference) is RIGHT:
                 return frozenset((slip,))
-        return frozenset(
-            slip
-            for slip, changed in slips_in(reference.tree)
-            if self._likely(answer, changed, reference.states)
-            and self.check(answer, Formula(changed, reference.states)) is RIGHT
-        )
-
-    @staticmethod
-    def _likely(one: Tree, other: Tree, states: States) -> bool:
-        """Tell whether two formulas agree in doubles at one state; that alone proves nothing."""
-        values = dict(zip(states.names, states.points[0], strict=True))
-        try:
-            for name, line in states.lines:
-                values[name] = _value(line, values)
-            return isclose(_value(one, values), _value(other, values), rel_tol=1e-6)
-        except UndefinedError:
-            return False
+        likely = [
+            (slip, tree)
+            for slip, tree in slips_in(reference.tree)
+            if isclose(_value(tree, values), typed, rel_tol=LIKELY)
+        ]
+        return frozenset(slip for slip, tree in likely if self.check(answer, Formula(tree, reference.states)) is RIGHT)
 
     def show(self, reference: Formula) -> str:
         """Write the formula as a student could type it."""
@@ -129,9 +121,21 @@ class Expression:
         return {**figures, **(asked if self.forms or self.without else {})}
 
 
+def _first(states: States) -> dict[str, float]:
+    """Give the values of all symbols in doubles at one state; what agrees there may be equal."""
+    values = dict(zip(states.names, states.points[0], strict=True))
+    for name, line in states.lines:
+        values[name] = _value(line, values)
+    return values
+
+
 def _value(tree: Tree, values: Mapping[str, float]) -> float:
+    """Give a value in doubles; none is no number, which agrees with nothing."""
     runner = line_runner(tree)
-    (found,) = run(runner, [values[name] for name in runner.inputs])
+    try:
+        (found,) = run(runner, [values[name] for name in runner.inputs])
+    except UndefinedError:
+        return nan
     return float(found)
 
 

@@ -1,0 +1,8 @@
+"""Slips at the OOP manipulator of laboratory TMM-2."""
+
+from __future__ import annotations
+
+from exercises.manipulators.tmm2_oop import steps
+from tests.slips.arms import slips
+
+SLIPS = slips(steps)
