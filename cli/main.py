@@ -26,6 +26,7 @@ COMMANDS = {
     "new": "start a new exercise from a template",
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
+    "user": "let somebody in by a one-time link",
     "backup": "copy the embedded store",
     "restore": "take a copy of the embedded store back",
 }

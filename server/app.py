@@ -15,16 +15,21 @@ from starlette.routing import Mount
 
 from exercises import catalogue
 from server import (
+    account_pages,
     comparing,
+    course_pages,
+    courses,
     drafts,
     errors,
     exercises,
     health,
     metrics,
     pages,
+    people,
     policy,
     problems,
     reports,
+    signin_pages,
     solving,
     static_files,
     submissions,
@@ -35,6 +40,7 @@ from server.database import Database, secret_of
 from server.envelope import Envelope
 from server.judging import Judging, JudgingThread
 from server.limits import Limiter
+from server.passwords import Passwords
 from server.reader import admit
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
@@ -54,6 +60,11 @@ ROUTERS = (
     comparing.router,
     pages.router,
     problems.pages,
+    people.router,
+    courses.router,
+    signin_pages.router,
+    account_pages.router,
+    course_pages.router,
 )
 log = logging.getLogger("grubler")
 
@@ -67,12 +78,13 @@ async def openapi(request: Request) -> dict[str, Any]:
     return found
 
 
-def create_app(settings: Settings, *, judging: Judging | None = None) -> FastAPI:
+def create_app(settings: Settings, *, judging: Judging | None = None, passwords: Passwords | None = None) -> FastAPI:
     """Make the application.
 
     Args:
         settings: The server's settings; the store must have the tables of this version.
         judging: Where exercises are computed, if not on a thread of its own.
+        passwords: How passwords are hashed, if not with the usual amount of work.
 
     Raises:
         UndeclaredRoute: A route has no policy.
@@ -85,6 +97,7 @@ def create_app(settings: Settings, *, judging: Judging | None = None) -> FastAPI
     )  # fmt: skip
     app.state.settings = settings
     app.state.judging = judging
+    app.state.passwords = passwords
     app.state.assets = static_files.find()
     app.state.metrics = metrics.Metrics()
     for router in (description, *ROUTERS):
@@ -103,8 +116,12 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         log.warning("The style sheet and the scripts are not built; pages are plain. Install the project again.")
     database = Database(settings.store_url)
     judging = app.state.judging or JudgingThread()
+    passwords = app.state.passwords or Passwords()
     secret = settings.secret or secret_of(settings.store_url)
-    app.state.bench = Bench(settings, database.practice, judging, secret, app.state.assets, Limiter())
+    app.state.bench = Bench(
+        settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
+        passwords,
+    )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))
     try:
@@ -114,6 +131,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         with suppress(asyncio.CancelledError):
             await purging
         judging.close()
+        passwords.close()
         database.close()
 
 

@@ -9,9 +9,12 @@ from fastapi import Depends, Request
 
 from server.judging import Judging
 from server.limits import Limiter
+from server.passwords import Passwords
 from server.settings import Settings
 from server.static_files import Assets
 from server.storage import Storage
+from server.storage.courses import Courses
+from server.storage.people import People
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +27,9 @@ class Bench:
     secret: bytes
     assets: Assets
     limiter: Limiter
+    people: People
+    courses: Courses
+    passwords: Passwords
 
 
 async def bench(request: Request) -> Bench:

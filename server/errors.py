@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
+from urllib.parse import quote
 
 from fastapi import FastAPI, HTTPException, Request
 from fastapi.exceptions import RequestValidationError
 from pydantic import BaseModel
 from starlette.exceptions import HTTPException as StarletteHTTPException
-from starlette.responses import JSONResponse, Response
+from starlette.responses import JSONResponse, RedirectResponse, Response
 
 from server import language, templating
 from server.storage import KeyReused, StorageUnavailable, UnknownVariant
@@ -114,6 +115,9 @@ def respond(request: Request, error: Refused) -> Response:
         opens=error.opens,
         request_id=request.scope.get("request_id", ""),
     )
+    if error.code == "token_needed" and wants_page(request) and request.method == "GET":
+        back = quote(request.url.path, safe="/")
+        return RedirectResponse(f"/signin?next={back}", 303, {"Content-Language": spoken})
     if wants_page(request):
         return templating.error_page(
             request, spoken, error.status_code, problem.message, problem.request_id, error.headers

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from enum import IntEnum
+from typing import TypeAlias
 
 from starlette.routing import BaseRoute, Mount, Route
 
-from server.storage import Dealt, Handed
+from server.storage import Dealt, Owner
 
 
 class Role(IntEnum):
@@ -19,7 +21,36 @@ class Role(IntEnum):
     ADMINISTRATOR = 3
 
 
-POLICIES: dict[tuple[str, str], Role] = {
+class CourseRole(IntEnum):
+    """What a member may do in a course; a higher role may do all that a lower one may."""
+
+    STUDENT = 1
+    ASSISTANT = 2
+    LECTURER = 3
+
+
+@dataclass(frozen=True, slots=True)
+class InCourse:
+    """A policy of a course: its members from a role on, and the administrators.
+
+    Attributes:
+        role: The least role in the course.
+        by: The parameter of the path that leads to the course; `reader.COURSES` knows how.
+    """
+
+    role: CourseRole
+    by: str = "course"
+
+    @property
+    def name(self) -> str:
+        """How the policy is called in documents."""
+        return f"{self.role.name} of the course"
+
+
+Policy: TypeAlias = Role | InCourse
+COURSE_STUDENT, COURSE_ASSISTANT, COURSE_LECTURER = map(InCourse, CourseRole)
+
+POLICIES: dict[tuple[str, str], Policy] = {
     ("GET", "/health"): Role.ANONYMOUS,
     ("GET", "/ready"): Role.ANONYMOUS,
     ("GET", "/metrics"): Role.ADMINISTRATOR,
@@ -51,6 +82,49 @@ POLICIES: dict[tuple[str, str], Role] = {
     ("POST", "/variants/{variant}/problem"): Role.ANONYMOUS,
     ("GET", "/problems"): Role.LECTURER,
     ("POST", "/problems/{problem}"): Role.LECTURER,
+    ("POST", "/api/v1/sessions"): Role.ANONYMOUS,
+    ("GET", "/api/v1/sessions"): Role.STUDENT,
+    ("DELETE", "/api/v1/sessions/{session}"): Role.STUDENT,
+    ("GET", "/api/v1/me"): Role.STUDENT,
+    ("GET", "/api/v1/tokens"): Role.STUDENT,
+    ("POST", "/api/v1/tokens"): Role.STUDENT,
+    ("DELETE", "/api/v1/tokens/{token}"): Role.STUDENT,
+    ("POST", "/api/v1/practice"): Role.STUDENT,
+    ("POST", "/api/v1/join"): Role.ANONYMOUS,
+    ("GET", "/api/v1/courses"): Role.STUDENT,
+    ("POST", "/api/v1/courses"): Role.LECTURER,
+    ("GET", "/api/v1/courses/{course}"): COURSE_STUDENT,
+    ("POST", "/api/v1/courses/{course}/code"): COURSE_LECTURER,
+    ("GET", "/api/v1/courses/{course}/groups"): COURSE_ASSISTANT,
+    ("POST", "/api/v1/courses/{course}/groups"): COURSE_LECTURER,
+    ("GET", "/api/v1/courses/{course}/members"): COURSE_ASSISTANT,
+    ("PATCH", "/api/v1/courses/{course}/members/{person}"): COURSE_LECTURER,
+    ("DELETE", "/api/v1/courses/{course}/members/{person}"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/members/{person}/link"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/roster"): COURSE_LECTURER,
+    ("GET", "/signin"): Role.ANONYMOUS,
+    ("POST", "/signin"): Role.ANONYMOUS,
+    ("POST", "/signout"): Role.ANONYMOUS,
+    ("GET", "/join"): Role.ANONYMOUS,
+    ("GET", "/join/{code}"): Role.ANONYMOUS,
+    ("POST", "/join/{code}"): Role.ANONYMOUS,
+    ("GET", "/links/{link}"): Role.ANONYMOUS,
+    ("POST", "/links/{link}"): Role.ANONYMOUS,
+    ("GET", "/account"): Role.STUDENT,
+    ("POST", "/account"): Role.STUDENT,
+    ("POST", "/account/password"): Role.STUDENT,
+    ("POST", "/account/practice"): Role.STUDENT,
+    ("POST", "/account/sessions/{session}"): Role.STUDENT,
+    ("POST", "/account/tokens"): Role.STUDENT,
+    ("POST", "/account/tokens/{token}"): Role.STUDENT,
+    ("GET", "/home"): Role.STUDENT,
+    ("POST", "/courses"): Role.LECTURER,
+    ("GET", "/courses/{course}"): COURSE_STUDENT,
+    ("POST", "/courses/{course}/code"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/groups"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/members/{person}"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/members/{person}/link"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/roster"): COURSE_LECTURER,
     ("GET", "/static"): Role.ANONYMOUS,
 }
 
@@ -74,9 +148,15 @@ def check(routes: Iterable[BaseRoute]) -> None:
                 raise UndeclaredRoute(f"{method} {route.path} declares no policy in server/policy.py")
 
 
-def may_see_variant(role: Role, owner: str | None, variant: Dealt) -> bool:
-    """Whether a reader may look at a variant: its owner, and the lecturers."""
-    return role >= Role.LECTURER or variant.owner.id == owner
+def may_see_variant(role: Role, owner: str | None, variant: Dealt, teaches: bool) -> bool:
+    """Whether a reader may look at a variant: its owner, and those who teach the owner."""
+    return variant.owner.id == owner or may_look_over(role, variant.owner, teaches)
+
+
+def may_look_over(role: Role, owner: Owner, teaches: bool) -> bool:
+    """Whether a reader may look at the work of an owner: administrators, those who teach the owner, and where the owner
+    is in nobody's course, lecturers."""
+    return role is Role.ADMINISTRATOR or teaches or (role >= Role.LECTURER and owner.anonymous)
 
 
 def may_answer(owner: str | None, variant: Dealt) -> bool:
@@ -84,12 +164,18 @@ def may_answer(owner: str | None, variant: Dealt) -> bool:
     return variant.owner.id == owner
 
 
-def may_see_submission(role: Role, owner: str | None, handed: Handed) -> bool:
-    """Whether a reader may look at a submission: its owner, and the lecturers."""
-    return role >= Role.LECTURER or handed.owner == owner
-
-
 def may_see_solution(role: Role, counted: bool) -> bool:
     """Whether the worked solution is open. In practice it opens with the first submission that counts: a blank or
     unreadable one opens nothing."""
     return role >= Role.LECTURER or counted
+
+
+def may_reset(actor: str | None, target: str, role: str, staff: bool) -> bool:
+    """Whether a lecturer of a course may make a link with which a member sets a new password: a student's, nowhere more
+    than a student; else the link would be a way to become somebody with more rights."""
+    return actor != target and role == Role.STUDENT.name.lower() and not staff
+
+
+def may_change_role(actor: str | None, target: str) -> bool:
+    """Whether a lecturer of a course may change the role of a member: everybody's but the own, so one stays."""
+    return actor != target

@@ -1,21 +1,25 @@
-"""Who asks: a bearer token, an anonymous cookie, or nobody yet; and whether the route lets them."""
+"""Who asks: somebody signed in, a bearer token, an anonymous cookie, or nobody yet; and whether the route lets them."""
 
 from __future__ import annotations
 
 import re
 import secrets
-from dataclasses import dataclass
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from typing import Annotated
 from urllib.parse import urlsplit
 
 from fastapi import Depends, Request, Response
 
-from server import ids, language, tokens
+from server import ids, language, sessions, tokens
 from server.bench import Bench, Tools
 from server.errors import Refused
 from server.limits import ADDRESS, NEWCOMERS, OWNER
-from server.policy import POLICIES, Role
+from server.policy import POLICIES, CourseRole, InCourse, Role
 from server.storage import Owner
+from server.storage.courses import Course
+from server.storage.people import Person, Session
 
 COOKIE = "grubler_practice"
 COOKIE_FORM = re.compile(r"[A-Za-z0-9_-]{43}")
@@ -25,11 +29,27 @@ SAFE = ("GET", "HEAD", "OPTIONS")
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """The one who asks; without an owner until the first variant is dealt."""
+    """The one who asks; without an owner until the first variant is dealt.
+
+    Attributes:
+        role: What the reader may do on the whole server.
+        owner: Whose variants the reader answers.
+        language: The reader's language.
+        person: Who it is, if that is known.
+        session: The session of a browser that is signed in.
+        practice: The owner of what this browser practised without signing in.
+        course: The course that the address belongs to, if the route's policy is one of a course.
+        in_course: What the reader may do there.
+    """
 
     role: Role
     owner: Owner | None
     language: str
+    person: Person | None = None
+    session: Session | None = None
+    practice: Owner | None = None
+    course: Course | None = None
+    in_course: CourseRole | None = None
 
     @property
     def owner_id(self) -> str | None:
@@ -37,22 +57,55 @@ class Reader:
         return self.owner.id if self.owner else None
 
 
+async def _itself(bench: Bench, number: str) -> str | None:
+    return number
+
+
+COURSES: dict[str, Callable[[Bench, str], Awaitable[str | None]]] = {"course": _itself}  # from a number to its course
+
+
 async def admit(request: Request, bench: Tools) -> Reader:
     """Let a reader in, or refuse: the policy of the route, the token, the origin of the page that posts.
 
     Raises:
-        Refused: 401 for a bad or missing token, 403 for a role that does not suffice or a foreign page, 429 for too
-            many posts.
+        Refused: 401 for a bad or missing token, 403 for a role that does not suffice or a foreign page, 404 for a
+            course of others, 429 for too many posts.
     """
     needed = POLICIES.get((request.method, request.scope["route"].path))
     if needed is None:
         raise Refused(403, "forbidden")
-    role, owner = _known(request, bench)
-    if role < needed:
-        raise Refused(*((401, "token_needed") if role is Role.ANONYMOUS else (403, "forbidden")))
+    reader = await _known(request, bench)
+    if reader.role < (Role.STUDENT if isinstance(needed, InCourse) else needed):
+        raise Refused(*((401, "token_needed") if reader.role is Role.ANONYMOUS else (403, "forbidden")))
     if request.method not in SAFE and bench.settings.limited:
-        _take_turn(request, bench, owner)
-    return Reader(role, owner, language.of(request))
+        _take_turn(request, bench, reader.owner)
+    if isinstance(needed, InCourse):
+        reader = await _in_course(bench, reader, needed, request.path_params[needed.by])
+    request.state.reader = reader
+    return reader
+
+
+async def _in_course(bench: Bench, reader: Reader, needed: InCourse, number: str) -> Reader:
+    """Find the course and the reader's role in it; those outside cannot tell a course from none."""
+    found = await COURSES[needed.by](bench, number) if ids.known(number) else None
+    course = await bench.courses.course(found) if found else None
+    role = await _role(bench, reader, course) if course else None
+    if role is None:
+        raise Refused(404, "unknown_course")
+    if role < needed.role:
+        raise Refused(403, "forbidden")
+    return replace(reader, course=course, in_course=role)
+
+
+async def _role(bench: Bench, reader: Reader, course: Course) -> CourseRole | None:
+    """Give the role in a course; a token that was made for less than its person may do less."""
+    if reader.role is Role.ADMINISTRATOR:
+        return CourseRole.LECTURER
+    named = await bench.courses.role(course.id, reader.person.id) if reader.person else None
+    if named is None:
+        return None
+    narrowed = reader.session is None and reader.role is Role.STUDENT
+    return CourseRole.STUDENT if narrowed else CourseRole[named.upper()]
 
 
 def _take_turn(request: Request, bench: Bench, owner: Owner | None) -> None:
@@ -68,26 +121,51 @@ def _take_turn(request: Request, bench: Bench, owner: Owner | None) -> None:
 Asking = Annotated[Reader, Depends(admit)]
 
 
-def _known(request: Request, bench: Bench) -> tuple[Role, Owner | None]:
+async def _known(request: Request, bench: Bench) -> Reader:
+    spoken = language.of(request)
     authorization = request.headers.get("authorization")
     if authorization is not None:
-        return _bearer(authorization, bench.secret)
+        return await _bearer(authorization, bench, spoken)
     if request.method not in SAFE:
         _check_origin(request, bench)
     kept = request.cookies.get(cookie_name(bench), "")
     owner = Owner(ids.digest(kept.encode()), anonymous=True) if COOKIE_FORM.fullmatch(kept) else None
-    return Role.ANONYMOUS, owner
+    signed_in = await sessions.found(request, bench)
+    if signed_in is None:
+        return Reader(Role.ANONYMOUS, owner, spoken, practice=owner)
+    session, person = signed_in
+    return Reader(Role[person.role.upper()], _owned_by(person), spoken, person, session, owner)
 
 
-def _bearer(authorization: str, secret: bytes) -> tuple[Role, Owner]:
+def _owned_by(person: Person) -> Owner:
+    return Owner(person.id, anonymous=False)
+
+
+async def _bearer(authorization: str, bench: Bench, spoken: str) -> Reader:
     scheme, _, token = authorization.partition(" ")
     try:
         if scheme.lower() != "bearer":
             raise tokens.BadToken(scheme)
-        role, subject = tokens.read(token.strip(), secret)
+        role, subject = tokens.read(token.strip(), bench.secret)
+        number = tokens.number_of(subject)
+        if number is not None:
+            return await _token_of_a_person(number, bench, role, spoken)
     except tokens.BadToken:
         raise Refused(401, "bad_token", headers={"WWW-Authenticate": "Bearer"}) from None
-    return role, Owner(ids.digest(b"subject", subject.encode()), anonymous=False)
+    return Reader(role, Owner(ids.digest(b"subject", subject.encode()), anonymous=False), spoken)
+
+
+async def _token_of_a_person(number: str, bench: Bench, role: Role, spoken: str) -> Reader:
+    """A person's token may do what it was made for, at most what the person may do now.
+
+    Raises:
+        BadToken: It is revoked or expired, or its person may no longer sign in.
+    """
+    found = await bench.people.token(number)
+    if found is None or found[0].revoked or found[0].expires <= datetime.now(UTC) or not found[1].active:
+        raise tokens.BadToken(number)
+    person = found[1]
+    return Reader(min(role, Role[person.role.upper()]), _owned_by(person), spoken, person)
 
 
 def _check_origin(request: Request, bench: Bench) -> None:

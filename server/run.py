@@ -7,7 +7,7 @@ from socket import socket
 
 import uvicorn
 
-from server import logs, tokens
+from server import accounts, logs, tokens
 from server import migrate as migrations
 from server.app import create_app
 from server.database import secret_of
@@ -32,7 +32,8 @@ def serve(settings: Settings) -> None:
         server_header=False, proxy_headers=False,
     )  # fmt: skip
     server = Announced(config)
-    server.address = settings.public_url or _address(settings)
+    server.address = settings.address
+    server.first = accounts.first_link(settings)
     with suppress(KeyboardInterrupt):
         server.run()
     if not server.started:
@@ -43,17 +44,15 @@ class Announced(uvicorn.Server):
     """A server that says where it listens once it does."""
 
     address = ""
+    first: str | None = None  # the link for the first administrator, until there is one
 
     async def startup(self, sockets: list[socket] | None = None) -> None:
         """Listen, then say so."""
         await super().startup(sockets)
         if self.started:
             print(f"Grübler listens at {self.address}", flush=True)
-
-
-def _address(settings: Settings) -> str:
-    host = f"[{settings.host}]" if ":" in settings.host else settings.host
-    return f"http://{host}:{settings.port}"
+        if self.started and self.first:
+            print(f"Nobody administers it yet. This link works once: {self.first}", flush=True)
 
 
 def migrate(settings: Settings) -> None:

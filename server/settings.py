@@ -64,6 +64,12 @@ class Settings:
         return self.public_url is not None and urlsplit(self.public_url).scheme == "https"
 
     @property
+    def address(self) -> str:
+        """The address people type; links that are handed out begin with it."""
+        host = f"[{self.host}]" if ":" in self.host else self.host
+        return self.public_url.rstrip("/") if self.public_url else f"http://{host}:{self.port}"
+
+    @property
     def loopback(self) -> bool:
         """Whether only this machine can reach the server."""
         if self.host == "localhost":

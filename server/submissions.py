@@ -17,11 +17,11 @@ from graders.words import message
 from server import ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
-from server.policy import may_answer, may_see_submission
+from server.policy import may_answer
 from server.reader import Asking, Reader, admit
 from server.storage import Answers, Handed, Marked
 from server.typed import Typed
-from server.variants import GONE, restored, visible
+from server.variants import GONE, restored, sees, visible
 
 KEY_LONGEST = 64
 GRADE: TypeAdapter[Grade] = TypeAdapter(Grade)
@@ -146,7 +146,8 @@ async def receipted(bench: Bench, reader: Reader, receipt: str) -> Marked:
         Refused: 404, there is none, or it is somebody else's.
     """
     marked = await bench.storage.submission(receipt) if ids.known(receipt) else None
-    if marked is None or not may_see_submission(reader.role, reader.owner_id, marked.handed):
+    dealt = await bench.storage.variant(marked.handed.variant) if marked else None
+    if marked is None or dealt is None or not await sees(bench, reader, dealt):
         raise Refused(404, "unknown_submission")
     return marked
 

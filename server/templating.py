@@ -58,6 +58,7 @@ def page(
             language=language,
             theme=theme,
             assets=request.app.state.assets,
+            me=getattr(getattr(request.state, "reader", None), "person", None),
             here=partial(_here, request, path),
             **context,
         )
@@ -66,6 +67,13 @@ def page(
     _keep(request, response, languages.COOKIE, language, request.query_params.get("lang") == language)
     _keep(request, response, THEME_COOKIE, theme, request.query_params.get("theme") == theme)
     return response
+
+
+def keep_preferences(response: Response, secure: bool, language: str | None, theme: str | None) -> None:
+    """Keep language and appearance in a browser, where a person has chosen them."""
+    for name, value in ((languages.COOKIE, language), (THEME_COOKIE, theme)):
+        if value is not None:
+            response.set_cookie(name, value, max_age=PREFERENCE_AGE, httponly=True, samesite="lax", secure=secure)
 
 
 def error_page(

@@ -17,6 +17,7 @@ AUDIENCE = "grubler"
 ALGORITHM = "HS256"
 HOURS = 12
 LONGEST = 2048  # characters
+PERSONAL = "token:"  # begins the subject of a token that a person has made
 
 _CLAIMS = jwt.JWTClaimsRegistry(
     leeway=0,
@@ -66,6 +67,16 @@ def read(token: str, secret: bytes) -> tuple[Role, str]:
     if not isinstance(claims["sub"], str) or not isinstance(claims["role"], str):
         raise BadToken("subject and role are texts")
     return Role[claims["role"].upper()], claims["sub"]
+
+
+def of_person(number: str, role: Role, secret: bytes, hours: float) -> str:
+    """Make the bearer token of a person; the store knows it by its number and can revoke it."""
+    return issue(role.name, secret, subject=PERSONAL + number, hours=hours)
+
+
+def number_of(subject: str) -> str | None:
+    """Give the number of a person's token, or none where the subject is no such token."""
+    return subject.removeprefix(PERSONAL) if subject.startswith(PERSONAL) else None
 
 
 def _key(secret: bytes) -> OctKey:

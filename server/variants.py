@@ -203,12 +203,20 @@ async def visible(bench: Bench, reader: Reader, number: str) -> Dealt:
         Refused: 404, there is none, it has expired, or it is somebody else's.
     """
     dealt = await bench.storage.variant(number) if ids.known(number) else None
-    if dealt is None or not may_see_variant(reader.role, reader.owner_id, dealt):
+    if dealt is None or not await sees(bench, reader, dealt):
         raise unknown_variant()
     now = datetime.now(UTC)
     if now - dealt.last_used > USED:
         await bench.storage.touch(number, now)
     return dealt
+
+
+async def sees(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
+    """Whether a reader may look at a variant and what was handed in for it."""
+    person, owner = reader.person, dealt.owner
+    foreign = person is not None and not owner.anonymous and owner.id != person.id
+    teaches = foreign and person is not None and await bench.courses.teaches(person.id, owner.id)
+    return may_see_variant(reader.role, reader.owner_id, dealt, teaches)
 
 
 def restored(dealt: Dealt) -> Variant:

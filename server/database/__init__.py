@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from server.database.connections import Connections
+from server.database.courses import Courses
+from server.database.people import People
 from server.database.practice import Practice
 from server.database.secret import secret_of
 from server.database.sets import Sets
@@ -17,6 +19,8 @@ class Database:
         self._connections = Connections(url)
         self.practice = Practice(self._connections)
         self.sets = Sets(self._connections)
+        self.people = People(self._connections)
+        self.courses = Courses(self._connections)
 
     def close(self) -> None:
         """Finish what is under way and let go of the files."""

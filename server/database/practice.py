@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, bindparam, delete, insert, select, update
+from sqlalchemy import Connection, Row, Select, bindparam, delete, exists, func, insert, select, update
 
 from server.database import work
 from server.database.connections import Connections
@@ -95,6 +95,17 @@ class Practice:
         """Forget anonymous variants that were last used before a moment and of which no problem is open."""
         return await self._connections.write(lambda connection: _purge(connection, before))
 
+    async def practised(self, owner: str) -> int:
+        """Tell how many variants an owner has."""
+        query = select(func.count()).select_from(variants).where(variants.c.owner == owner)
+        return await self._connections.read(lambda connection: connection.execute(query).scalar_one())
+
+    async def take_over(self, anonymous: str, person: str) -> int:
+        """Give the variants of an anonymous owner to a person; gives how many."""
+        nobody = select(owners.c.id).where(owners.c.id == anonymous, owners.c.anonymous)
+        change = update(variants).where(variants.c.owner.in_(nobody)).values(owner=person)
+        return await self._connections.write(lambda connection: connection.execute(change).rowcount)
+
     async def check(self) -> None:
         """Raise StorageUnavailable unless the store answers."""
         await self._connections.read(lambda connection: connection.execute(select(settings.c.name).limit(1)).first())
@@ -164,8 +175,8 @@ def _purge(connection: Connection, before: datetime) -> int:
     for table in (drafts, problems):
         connection.execute(delete(table).where(table.c.variant.in_(idle)))
     gone = connection.execute(delete(variants).where(variants.c.id.in_(idle))).rowcount
-    bare = owners.c.id.not_in(select(variants.c.owner))
-    connection.execute(delete(owners).where(owners.c.anonymous, owners.c.created < before, bare))
+    bare = ~exists().where(variants.c.owner == owners.c.id), ~exists().where(submissions.c.owner == owners.c.id)
+    connection.execute(delete(owners).where(owners.c.anonymous, owners.c.created < before, *bare))
     return gone
 
 

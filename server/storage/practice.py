@@ -168,3 +168,11 @@ class Storage(Protocol):
     async def check(self) -> None:
         """Raise StorageUnavailable unless the store answers."""
         ...
+
+    async def practised(self, owner: str) -> int:
+        """Tell how many variants an owner has."""
+        ...
+
+    async def take_over(self, anonymous: str, person: str) -> int:
+        """Give the variants of an anonymous owner to a person; gives how many."""
+        ...

@@ -128,3 +128,15 @@ def test_serve_answers_from_a_fresh_folder(served: tuple[str, subprocess.Popen[s
         except urllib.error.URLError:
             time.sleep(0.1)
     raise AssertionError(f"the server does not answer; exit code {process.poll()}")
+
+
+def test_an_account_is_made_and_let_in_again_by_links(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    place = ["--data-dir", str(tmp_path)]
+    for good in (("reset",), ("add", "anna@uni", "--name", "Anna"), ("reset", "Anna@Uni")):
+        code, out, _ = run(capsys, "user", *good, *place)
+        assert code == 0 and out.startswith("http://127.0.0.1:8000/links/")
+    refusals = {("reset", "nobody"): "nobody signs in", ("add", "anna@uni", "--name", "Ann"): "is there already",
+                ("add", "a b", "--name", "Ann"): "a login is", ("add", "x"): "a name has"}  # fmt: skip
+    for words, said in refusals.items():
+        code, _, err = run(capsys, "user", *words, *place)
+        assert code == 2 and said in err

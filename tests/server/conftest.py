@@ -24,6 +24,7 @@ from server.app import create_app
 from server.database import Database
 from server.migrate import migrate
 from server.settings import Settings
+from tests.server.school import School, opened
 
 REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 SECRET = b"a secret of the tests"
@@ -217,3 +218,10 @@ def deal(client: TestClient) -> Callable[..., str]:
         return number
 
     return dealt
+
+
+@pytest.fixture
+def school(settings: Settings) -> Iterator[School]:
+    """A server with a course and somebody of every role."""
+    with opened(settings) as found:
+        yield found

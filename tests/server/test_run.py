@@ -121,7 +121,9 @@ def test_the_store_is_brought_up_to_date_and_served(
 
 
 def test_the_address_is_told_once_the_server_listens(live: Live) -> None:
-    assert live.said().strip() == f"Grübler listens at http://127.0.0.1:{live.port}"
+    listens, first = live.said().splitlines()
+    assert listens == f"Grübler listens at http://127.0.0.1:{live.port}"
+    assert f"http://127.0.0.1:{live.port}/links/" in first
 
 
 def test_a_port_that_is_taken_is_no_success(tmp_path: Path, capsys: Any) -> None:

@@ -1,0 +1,104 @@
+"""The page of a course: for its students a few words, for those who teach it members, groups and the roster."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from fastapi import APIRouter, Depends, Request
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+
+from server import courses, forms, rosters
+from server.bench import Bench, Tools
+from server.language import say
+from server.policy import CourseRole
+from server.reader import Asking, Reader, admit
+from server.templating import page
+
+router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+ROLES = tuple(role.name.lower() for role in CourseRole)
+
+
+@router.get("/courses/{course}")
+async def show_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Show a course."""
+    return await _course(request, bench, reader, {})
+
+
+@router.post("/courses/{course}/code")
+async def change_code(course: str, request: Request, bench: Tools) -> Response:
+    """Give the course another join code, or close joining."""
+    values = (await forms.read(request)).values
+    await courses.renew_code(bench, course, values.get("open") == "yes")
+    return _back(course)
+
+
+@router.post("/courses/{course}/groups")
+async def add_group(course: str, request: Request, bench: Tools) -> Response:
+    """Add a group."""
+    await courses.new_group(bench, course, (await forms.read(request)).values.get("name", ""))
+    return _back(course)
+
+
+@router.post("/courses/{course}/members/{person}")
+async def change_member(course: str, person: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Change the role and the group of a member, or take the member out."""
+    values = (await forms.read(request)).values
+    member = await courses.found(bench, course, person)
+    if values.get("leave") == "yes":
+        await courses.remove(bench, reader, member)
+    else:
+        role, group = values.get("role", member.role), values.get("group", member.group or "")
+        await courses.place(bench, reader, member, role, group or None)
+    return _back(course)
+
+
+@router.post("/courses/{course}/members/{person}/link")
+async def link_member(course: str, person: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Make a one-time link for a student and show it once."""
+    member = await courses.found(bench, course, person)
+    made = await courses.personal_link(bench, reader, member)
+    return await _course(request, bench, reader, {"made": made, "made_for": member.person})
+
+
+@router.post("/courses/{course}/roster")
+async def import_roster(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Show what a roster would change; with the second button, change it."""
+    values = (await forms.read(request)).values
+    text = values.get("roster", "")
+    if values.get("apply") == "yes":
+        await courses.take_roster(bench, course, text, apply=True)
+        return _back(course)
+    changes, unread = await courses.take_roster(bench, course, text, apply=False)
+    context = {
+        "course": courses.here(reader).course,
+        "text": text,
+        "changes": [change for change in changes if change.what != "same"],
+        "same": sum(change.what == "same" for change in changes),
+        "unread": [(line.line, _reason(reader, line)) for line in unread],
+    }
+    return page(request, reader.language, "roster.html", context, path=f"/courses/{course}")
+
+
+def _reason(reader: Reader, line: rosters.Unread) -> str:
+    return say(reader.language, f"errors.{line.code}")
+
+
+def _back(course: str) -> Response:
+    return RedirectResponse(f"/courses/{course}", 303)
+
+
+async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str, Any]) -> HTMLResponse:
+    here = courses.here(reader)
+    staff = here.role >= CourseRole.ASSISTANT
+    context = {
+        "course": here.course,
+        "staff": staff,
+        "lecturer": here.role is CourseRole.LECTURER,
+        "members": await bench.courses.members(here.course.id) if staff else [],
+        "groups": await bench.courses.groups(here.course.id) if staff else [],
+        "roles": ROLES,
+        "address": bench.settings.address,
+        "made": None,
+        "made_for": None,
+    }
+    return page(request, reader.language, "course.html", context | more, path=f"/courses/{here.course.id}")

@@ -1,0 +1,131 @@
+"""Courses, groups, memberships and rosters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+
+from sqlalchemy import Connection, Select, case, delete, exists, insert, select, update
+from sqlalchemy.exc import IntegrityError
+
+from server.database.connections import Connections
+from server.database.once import insert_once
+from server.database.people import person_of
+from server.database.rosters import apply_roster, plan
+from server.storage.courses import Change, Course, Group, Member, Row
+from server.tables import courses, groups, memberships, persons
+
+STAFF = ("assistant", "lecturer")
+
+
+class Courses:
+    """The courses of one store."""
+
+    def __init__(self, connections: Connections) -> None:
+        self._connections = connections
+
+    async def add(self, course: Course, lecturer: str) -> None:
+        """Store a new course with its lecturer."""
+        await self._connections.write(lambda connection: _add(connection, course, lecturer))
+
+    async def course(self, number: str) -> Course | None:
+        """Give a course."""
+        return await self._one(select(courses).where(courses.c.id == number))
+
+    async def by_code(self, code: str) -> Course | None:
+        """Give the course that is joined by a code."""
+        return await self._one(select(courses).where(courses.c.join_code == code, ~courses.c.archived))
+
+    async def of(self, person: str) -> Sequence[tuple[Course, str]]:
+        """List the courses of a person with the role in each, newest first."""
+        query = select(courses, memberships.c.role).join(memberships).where(memberships.c.person == person)
+        query = query.order_by(courses.c.created.desc())
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [(Course(**{c.name: row[c] for c in courses.columns}), row[memberships.c.role]) for row in rows]
+
+    async def role(self, course: str, person: str) -> str | None:
+        """Give the role of a person in a course."""
+        mine = memberships.c.course == course, memberships.c.person == person
+        query = select(memberships.c.role).where(*mine)
+        return await self._connections.read(lambda connection: connection.execute(query).scalar_one_or_none())
+
+    async def is_staff(self, person: str) -> bool:
+        """Tell whether a person assists or lectures anywhere."""
+        query = select(exists().where(memberships.c.person == person, memberships.c.role.in_(STAFF)))
+        return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
+
+    async def teaches(self, lecturer: str, person: str) -> bool:
+        """Tell whether one person lectures or assists in a course of the other."""
+        theirs = select(memberships.c.course).where(memberships.c.person == person, memberships.c.role == "student")
+        mine = memberships.c.person == lecturer, memberships.c.role.in_(STAFF), memberships.c.course.in_(theirs)
+        query = select(exists().where(*mine))
+        return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
+
+    async def members(self, course: str) -> Sequence[Member]:
+        """List the members of a course by role and name."""
+        return await self._connections.read(lambda connection: _members(connection, course))
+
+    async def join(self, course: str, person: str, role: str, now: datetime) -> bool:
+        """Make a person a member; False where that is so already."""
+        values = {"course": course, "person": person, "role": role, "group": None, "joined": now}
+        return await self._connections.write(lambda connection: insert_once(connection, memberships, values))
+
+    async def change(self, course: str, person: str, role: str, group: str | None) -> bool:
+        """Change role and group of a member; False where there is no such member or group."""
+        return await self._connections.write(lambda connection: _change(connection, course, person, role, group))
+
+    async def leave(self, course: str, person: str) -> bool:
+        """Take a member out of a course; what was handed in stays."""
+        gone = delete(memberships).where(memberships.c.course == course, memberships.c.person == person)
+        return await self._connections.write(lambda connection: connection.execute(gone).rowcount == 1)
+
+    async def groups(self, course: str) -> Sequence[Group]:
+        """List the groups of a course by name."""
+        query = select(groups).where(groups.c.course == course).order_by(groups.c.name)
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [Group(**row) for row in rows]
+
+    async def add_group(self, group: Group) -> bool:
+        """Store a group; False where the name is taken."""
+        values = {"id": group.id, "course": group.course, "name": group.name}
+        return await self._connections.write(lambda connection: insert_once(connection, groups, values))
+
+    async def set_code(self, course: str, code: str | None) -> bool:
+        """Change the join code, or close joining; False where another course has this code."""
+        change = update(courses).where(courses.c.id == course).values(join_code=code)
+        try:
+            return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+        except IntegrityError:
+            return False
+
+    async def roster(self, course: str, rows: Sequence[Row], now: datetime, apply: bool) -> Sequence[Change]:
+        """Tell what a roster changes, and change it if that is wished."""
+        if not apply:
+            return await self._connections.read(lambda connection: plan(connection, course, rows))
+        return await self._connections.write(lambda connection: apply_roster(connection, course, rows, now))
+
+    async def _one(self, query: Select[tuple[object, ...]]) -> Course | None:
+        row = await self._connections.read(lambda connection: connection.execute(query).mappings().first())
+        return Course(**row) if row else None
+
+
+def _add(connection: Connection, course: Course, lecturer: str) -> None:
+    connection.execute(insert(courses), {column.name: getattr(course, column.name) for column in courses.columns})
+    member = {"course": course.id, "person": lecturer, "role": "lecturer", "group": None, "joined": course.created}
+    connection.execute(insert(memberships), member)
+
+
+def _members(connection: Connection, course: str) -> list[Member]:
+    order = case({"lecturer": 0, "assistant": 1}, value=memberships.c.role, else_=2)
+    query = select(memberships, persons).join(persons).where(memberships.c.course == course)
+    rows = connection.execute(query.order_by(order, persons.c.name, persons.c.id)).mappings().all()
+    own = memberships.c
+    return [Member(person_of(row), row[own.role], row[own.group], row[own.joined]) for row in rows]
+
+
+def _change(connection: Connection, course: str, person: str, role: str, group: str | None) -> bool:
+    here = select(groups.c.id).where(groups.c.id == group, groups.c.course == course)
+    if group is not None and connection.execute(here).first() is None:
+        return False
+    mine = memberships.c.course == course, memberships.c.person == person
+    return connection.execute(update(memberships).where(*mine).values(role=role, group=group)).rowcount == 1

@@ -1,0 +1,215 @@
+"""People, their sessions, links and tokens."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+from typing import Any
+
+from sqlalchemy import ColumnElement, Connection, RowMapping, delete, insert, select, update
+
+from server.database.connections import Connections
+from server.database.once import insert_once
+from server.storage.people import Link, Person, Session, Token
+from server.tables import api_tokens, links, owners, persons, sessions
+
+
+class People:
+    """The people of one store."""
+
+    def __init__(self, connections: Connections) -> None:
+        self._connections = connections
+
+    async def add(self, person: Person) -> bool:
+        """Store a new person; False, and nothing stored, where the login or the subject is taken."""
+        return await self._connections.write(lambda connection: add_person(connection, person))
+
+    async def person(self, number: str) -> Person | None:
+        """Give a person."""
+        return await self._one(persons.c.id == number)
+
+    async def by_login(self, login: str) -> Person | None:
+        """Give the person who signs in so."""
+        return await self._one(persons.c.login == login)
+
+    async def by_subject(self, issuer: str, subject: str) -> Person | None:
+        """Give the person somebody else vouches for."""
+        return await self._one((persons.c.issuer == issuer) & (persons.c.subject == subject))
+
+    async def vouch(self, number: str, issuer: str, subject: str) -> bool:
+        """Note who else vouches for a person; False where that name is another person's."""
+        return await self._connections.write(lambda connection: _vouch(connection, number, issuer, subject))
+
+    async def prefer(self, number: str, language: str, theme: str) -> None:
+        """Note how a person wants to be addressed."""
+        await self._change(persons.c.id == number, language=language, theme=theme)
+
+    async def set_password(self, number: str, password: str, keep: str) -> None:
+        """Store the hash of a new password and end all sessions but one."""
+        await self._connections.write(lambda connection: _set_password(connection, number, password, keep))
+
+    async def claim(self, number: str, password: str, name: str) -> bool:
+        """Give a first password to a person of a roster; False where there is one already."""
+        return await self._change(_unclaimed(number), password=password, name=name)
+
+    async def begin(self, session: Session) -> None:
+        """Store a session."""
+        values = {column.name: getattr(session, column.name) for column in sessions.columns}
+        await self._connections.write(lambda connection: connection.execute(insert(sessions), values))
+
+    async def session(self, digest: str) -> tuple[Session, Person] | None:
+        """Give a session and its person."""
+        return await self._connections.read(lambda connection: _session(connection, digest))
+
+    async def seen(self, digest: str, time: datetime) -> None:
+        """Note that a session was used."""
+        change = update(sessions).where(sessions.c.digest == digest).values(last_used=time)
+        await self._connections.write(lambda connection: connection.execute(change))
+
+    async def sessions(self, person: str) -> Sequence[Session]:
+        """List the sessions of a person, newest first."""
+        query = select(sessions).where(sessions.c.person == person).order_by(sessions.c.created.desc())
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [Session(**row) for row in rows]
+
+    async def end(self, person: str, number: str) -> bool:
+        """End a session of a person, named by its number."""
+        theirs = sessions.c.person == person, sessions.c.digest.startswith(number, autoescape=True)
+        gone = delete(sessions).where(*theirs)
+        return await self._connections.write(lambda connection: connection.execute(gone).rowcount > 0)
+
+    async def keep_link(self, link: Link) -> None:
+        """Store a link; older unused ones of the same person end."""
+        await self._connections.write(lambda connection: _keep_link(connection, link))
+
+    async def link(self, digest: str) -> Link | None:
+        """Give a link."""
+        query = select(links).where(links.c.digest == digest)
+        row = await self._connections.read(lambda connection: connection.execute(query).mappings().first())
+        return Link(**row) if row else None
+
+    async def redeem(self, digest: str, now: datetime, password: str) -> Person | None:
+        """Use a link up: its person has this password from now on, and no session that was open before."""
+        return await self._connections.write(lambda connection: _redeem(connection, digest, now, password))
+
+    async def redeem_first(self, digest: str, now: datetime, person: Person) -> bool:
+        """Use the first link up by storing the first administrator."""
+        return await self._connections.write(lambda connection: _redeem_first(connection, digest, now, person))
+
+    async def has_administrator(self) -> bool:
+        """Tell whether somebody administers this server."""
+        return await self._one(persons.c.role == "administrator") is not None
+
+    async def keep_token(self, token: Token) -> None:
+        """Store a token."""
+        values = {column.name: getattr(token, column.name) for column in api_tokens.columns}
+        await self._connections.write(lambda connection: connection.execute(insert(api_tokens), values))
+
+    async def token(self, number: str) -> tuple[Token, Person] | None:
+        """Give a token and its person."""
+        return await self._connections.read(lambda connection: _token(connection, number))
+
+    async def tokens(self, person: str) -> Sequence[Token]:
+        """List the tokens of a person, newest first."""
+        query = select(api_tokens).where(api_tokens.c.person == person).order_by(api_tokens.c.created.desc())
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [Token(**row) for row in rows]
+
+    async def revoke(self, person: str, number: str, now: datetime) -> bool:
+        """End a token of a person."""
+        theirs = api_tokens.c.person == person, api_tokens.c.id == number, api_tokens.c.revoked.is_(None)
+        change = update(api_tokens).where(*theirs).values(revoked=now)
+        return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+
+    async def _one(self, which: ColumnElement[bool]) -> Person | None:
+        return await self._connections.read(lambda connection: _person(connection, which))
+
+    async def _change(self, which: ColumnElement[bool], **values: Any) -> bool:
+        change = update(persons).where(which).values(**values)
+        return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+
+
+def add_person(connection: Connection, person: Person) -> bool:
+    """Store a new person and the owner of the same number; False where the login or the subject is taken."""
+    insert_once(connection, owners, {"id": person.id, "anonymous": False, "created": person.created})
+    values = {column.name: getattr(person, column.name) for column in persons.columns}
+    if insert_once(connection, persons, values):
+        return True
+    connection.execute(delete(owners).where(owners.c.id == person.id))
+    return False
+
+
+def person_of(row: RowMapping) -> Person:
+    """Make a person of a row that holds the columns of `persons`."""
+    return Person(**{column.name: row[column] for column in persons.columns})
+
+
+def _person(connection: Connection, which: ColumnElement[bool]) -> Person | None:
+    row = connection.execute(select(persons).where(which).limit(1)).mappings().first()
+    return person_of(row) if row else None
+
+
+def _unclaimed(number: str) -> ColumnElement[bool]:
+    bare = persons.c.password.is_(None) & persons.c.issuer.is_(None)
+    return (persons.c.id == number) & (persons.c.role == "student") & bare
+
+
+def _vouch(connection: Connection, number: str, issuer: str, subject: str) -> bool:
+    other = _person(connection, (persons.c.issuer == issuer) & (persons.c.subject == subject))
+    if other is not None:
+        return other.id == number
+    change = update(persons).where(persons.c.id == number).values(issuer=issuer, subject=subject)
+    return connection.execute(change).rowcount == 1
+
+
+def _set_password(connection: Connection, number: str, password: str, keep: str) -> None:
+    connection.execute(update(persons).where(persons.c.id == number).values(password=password))
+    connection.execute(delete(sessions).where(sessions.c.person == number, sessions.c.digest != keep))
+
+
+def _session(connection: Connection, digest: str) -> tuple[Session, Person] | None:
+    query = select(sessions, persons).join(persons, sessions.c.person == persons.c.id)
+    row = connection.execute(query.where(sessions.c.digest == digest)).mappings().first()
+    if row is None:
+        return None
+    return Session(**{column.name: row[column] for column in sessions.columns}), person_of(row)
+
+
+def _token(connection: Connection, number: str) -> tuple[Token, Person] | None:
+    query = select(api_tokens, persons).join(persons, api_tokens.c.person == persons.c.id)
+    row = connection.execute(query.where(api_tokens.c.id == number)).mappings().first()
+    if row is None:
+        return None
+    return Token(**{column.name: row[column] for column in api_tokens.columns}), person_of(row)
+
+
+def _keep_link(connection: Connection, link: Link) -> None:
+    older = links.c.used.is_(None), links.c.person.is_not_distinct_from(link.person)
+    connection.execute(delete(links).where(*older))
+    connection.execute(insert(links), {column.name: getattr(link, column.name) for column in links.columns})
+
+
+def _use(connection: Connection, digest: str, now: datetime) -> Link | None:
+    """Use a link up; of two who try at once, one succeeds."""
+    fresh = links.c.digest == digest, links.c.used.is_(None), links.c.expires > now
+    if connection.execute(update(links).where(*fresh).values(used=now)).rowcount != 1:
+        return None
+    return Link(**connection.execute(select(links).where(links.c.digest == digest)).mappings().one())
+
+
+def _redeem(connection: Connection, digest: str, now: datetime, password: str) -> Person | None:
+    link = _use(connection, digest, now)
+    if link is None or link.person is None:
+        return None
+    _set_password(connection, link.person, password, keep="")
+    return _person(connection, persons.c.id == link.person)
+
+
+def _redeem_first(connection: Connection, digest: str, now: datetime, person: Person) -> bool:
+    link = _use(connection, digest, now)
+    if link is None or link.purpose != "first" or _person(connection, persons.c.role == "administrator"):
+        return False
+    if not add_person(connection, person):
+        connection.execute(update(links).where(links.c.digest == digest).values(used=None))
+        return False
+    return True

@@ -1,0 +1,74 @@
+"""A roster against a course: what each line changes, and changing it in one transaction."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+
+from sqlalchemy import Connection, insert, select, update
+
+from server import ids
+from server.database.once import insert_once
+from server.database.people import add_person
+from server.storage.courses import Change, Row
+from server.storage.people import Person
+from server.tables import groups, memberships, persons
+
+
+def plan(connection: Connection, course: str, rows: Sequence[Row]) -> list[Change]:
+    """Tell what each line changes: new, joins, moves (to another group) or same."""
+    people, groups_of = _people(connection, rows), _groups_of(connection, course)
+    return [Change(row, _what(row, people, groups_of)) for row in rows]
+
+
+def apply_roster(connection: Connection, course: str, rows: Sequence[Row], now: datetime) -> list[Change]:
+    """Add who is not there yet, as a student, and put everybody into the group of the line; nobody is taken out."""
+    changes = plan(connection, course, rows)
+    named = _groups(connection, course, rows)
+    for change in changes:
+        if change.what == "new":
+            person = Person(ids.new(), change.row.login, change.row.name, "student", now)
+            add_person(connection, person)
+    people = _people(connection, rows)
+    for change in changes:
+        _place(connection, course, people[change.row.login], named.get(change.row.group), change.what, now)
+    return changes
+
+
+def _place(connection: Connection, course: str, person: str, group: str | None, what: str, now: datetime) -> None:
+    if what in ("new", "joins"):
+        values = {"course": course, "person": person, "role": "student", "group": group, "joined": now}
+        insert_once(connection, memberships, values)
+    if what == "moves":
+        mine = memberships.c.course == course, memberships.c.person == person
+        connection.execute(update(memberships).where(*mine).values(group=group))
+
+
+def _what(row: Row, people: Mapping[str, str], groups_of: Mapping[str, str | None]) -> str:
+    person = people.get(row.login)
+    if person is None:
+        return "new"
+    if person not in groups_of:
+        return "joins"
+    return "moves" if row.group and groups_of[person] != row.group else "same"
+
+
+def _people(connection: Connection, rows: Sequence[Row]) -> dict[str, str]:
+    query = select(persons.c.login, persons.c.id).where(persons.c.login.in_([row.login for row in rows]))
+    return {login: number for login, number in connection.execute(query)}
+
+
+def _groups_of(connection: Connection, course: str) -> dict[str, str | None]:
+    query = select(memberships.c.person, groups.c.name).outerjoin(groups, memberships.c.group == groups.c.id)
+    return {person: name for person, name in connection.execute(query.where(memberships.c.course == course))}
+
+
+def _groups(connection: Connection, course: str, rows: Sequence[Row]) -> dict[str, str]:
+    """Give the groups of a course by name, those of the roster among them."""
+    query = select(groups.c.name, groups.c.id).where(groups.c.course == course)
+    found: dict[str, str] = {name: number for name, number in connection.execute(query)}
+    fresh = {row.group: ids.new() for row in rows if row.group and row.group not in found}
+    if fresh:
+        lines = [{"id": number, "course": course, "name": name} for name, number in fresh.items()]
+        connection.execute(insert(groups), lines)
+    return found | fresh
