@@ -1,4 +1,4 @@
-"""The plain part of the language read at once: names, numbers, `+ - * / ^`, brackets, calls, `<u>^n`, matrices.
+"""The plain part of the language read at once: names, numbers, `+ - * / ^`, brackets, calls, `<u>^n`, `=`, matrices.
 
 Most answers hold nothing else. Whatever else stands in a text, and every error, is left to the parser, whose trees
 these are: None means *ask the parser*.
@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 
 from graders.language.symbols import FUNCTIONS, Symbols, function_named
-from graders.language.tree import Binary, Call, Grid, Number, Tree, Unary, order_exists
+from graders.language.tree import Binary, Call, Grid, Number, Relation, Tree, Unary, order_exists
 
 PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();<>]{1,250}")
 SIGNS = "+-*/^();<>"
@@ -31,11 +31,20 @@ def read(text: str, symbols: Symbols) -> Tree | None:
     if text[:1] == "[":
         return _grid(text.rstrip(), symbols)
     if PLAIN.fullmatch(text) is None:
-        return None
+        return _equation(text, symbols)
     try:
         return _Reader(_pieces(text), symbols).whole()
     except (Unusual, IndexError):  # IndexError: the text ends too early
         return None
+
+
+def _equation(text: str, symbols: Symbols) -> Tree | None:
+    """Read an equation with two plain sides."""
+    left, equals, right = text.partition("=")
+    if not equals or left.endswith(("<", ">")) or PLAIN.fullmatch(left) is None or PLAIN.fullmatch(right) is None:
+        return None
+    sides = read(left, symbols), read(right, symbols)
+    return None if sides[0] is None or sides[1] is None else Relation(("=",), (sides[0], sides[1]))
 
 
 def _pieces(text: str) -> list[str]:

@@ -16,7 +16,7 @@ from tests.graders.language.trees import NAMES, trees
 
 DECLARED = Symbols([*NAMES, "E", "ln1", "pi0"], ["omega2"])
 OPERANDS = [*"xE2-q<", "(x", "(a", "<x", "l_1", "omega2", "pi", "0.5", "007", "sin(a", "atan2(x", "tg(", "log10(2"]
-OPERATORS = [*"+-*/^).;e<>+*/^)", "*(", ")^", "1e5", "deg", ">^2", ">^1+"]
+OPERATORS = [*"+-*/^).;e<>+*/^)=", "*(", ")^", "1e5", "deg", ">^2", ">^1+"]
 
 
 def parsed(text: str) -> Tree | None:
@@ -59,6 +59,8 @@ def test_whatever_is_read_quickly_the_parser_reads_alike() -> None:
         "((x))",
         "x*<x - a>^2",
         "-<x>^0",
+        "x=2",
+        "a*x - l1 = -(a + 2)^2",
     ],
 )
 def test_a_plain_text_is_read_quickly(text: str) -> None:
@@ -77,7 +79,10 @@ def test_a_plain_text_is_read_quickly(text: str) -> None:
         "1 +",
         "(x",
         "x)",
-        "x = 2",
+        "x <= 2",
+        "x = a = 2",
+        "x =",
+        "x < = 2",
         "<x>",
         "q",
         "a(x)",
