@@ -7,7 +7,7 @@ export function filled(sentence: string, values: Record<string, string>): string
 
 /** Decimals that show a number of figures of values as large as the scale. */
 export function decimals(scale: number, figures: number): number {
-  return Math.min(8, Math.max(0, figures - 1 - Math.floor(Math.log10(Math.abs(scale) || 1))));
+  return Math.min(8, Math.max(0, figures - 1 - Math.floor(Math.log10(Math.abs(scale) || 1) + 1e-6)));
 }
 
 export class Numbers {

@@ -1,0 +1,129 @@
+"""The laboratory in a real browser: from the polygon to the report, a wrong formula, a phone, keyboard, samples."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from exercises import grading
+from exercises.variants import deal
+from tests.server.conftest import Live
+from tests.server.test_browser import focus_by_tab, practise, watched
+
+RIGHT = grading.reference(deal("tmm2_oop", 7))
+WRONG = RIGHT["polygon"].replace("l_AB*sin(Theta1)", "l_AB*cos(Theta1)")
+AGREES = "The links keep their lengths, and D follows the true motion."
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    context = browser.new_context(locale="en", viewport={"width": 1360, "height": 900}, reduced_motion="reduce")
+    context.set_default_timeout(10_000)
+    yield from watched(context.new_page())
+    context.close()
+
+
+def part(page: Page, name: str) -> str:
+    return page.inner_text(f"[data-lab='{name}']")
+
+
+def fill(page: Page, name: str, text: str) -> None:
+    field = page.locator(f"[name='answer.{name}']")
+    if not field.is_visible():
+        page.click(f".sections > li:has([name='answer.{name}']) > details > summary")
+    field.fill(text)
+
+
+def test_the_laboratory_from_the_polygon_to_the_report(page: Page, site: Live) -> None:
+    practise(page, site, "tmm2_oop")
+    fill(page, "polygon", RIGHT["polygon"])
+    expect(page.locator("[data-lab='note']")).to_have_text(AGREES)
+    assert "waits for section 10" in page.inner_text("[data-plot='velocity'] output")
+    page.click("button[name='section'][value='7']")
+    page.wait_for_selector("#section-7 .v-right")
+    for name, text in RIGHT.items():
+        fill(page, name, text)
+    expect(page.locator("[data-plot='acceleration'] output")).to_contain_text("m/s²")
+    page.press("#lab-l_AB", "End")
+    assert part(page, "ratio") == f"{float(RIGHT['k_v']):.4f}"
+    page.click("form[data-preview] button.main")
+    page.wait_for_selector("#result")
+    assert page.locator(".sections .v .v-right").count() == 6 and page.locator(".sections .v .v-undecided").count() == 2
+    page.fill("#person-name", "Anna Nowak")
+    for button, head in (("PDF", b"%PDF"), ("Markdown", b"# ")):
+        with page.expect_download() as saved:
+            page.click(f"[data-person] button:text-is('{button}')")
+        content = Path(saved.value.path()).read_bytes()
+        assert content.startswith(head)
+    assert "Anna Nowak" in content.decode() and "Theta" not in content.decode()[:200]
+
+
+def test_one_wrong_formula_breaks_the_named_link_in_the_language_of_the_page(page: Page, site: Live) -> None:
+    practise(page, site, "tmm2_oop")
+    fill(page, "polygon", WRONG)
+    expect(page.locator("[data-lab='note']")).to_have_text(
+        re.compile(r"Link AB is 0\.430\u202fm long; your formulas make it 0\.106\u202fm\.")
+    )
+    own = page.locator("[data-link]:not([data-link=''])")
+    assert [own.nth(k).get_attribute("class") for k in range(3)] == ["f-load f-heavy", "f-link", "f-link"]
+    assert page.input_value("#lab-t") == "0"
+    page.click("[data-lab='play']")
+    expect(page.locator("#lab-t")).not_to_have_value("0")
+    page.click("[data-lab='play']")
+    page.wait_for_selector("[data-draft-state]:has-text('saved')")
+    page.click(".tools a[hreflang='pl']")
+    expect(page.locator("[data-lab='note']")).to_have_text(
+        "Człon AB ma 0,430\u202fm, a z Twoich wzorów wychodzi 0,106\u202fm."
+    )
+
+
+def test_a_section_is_opened_filled_and_checked_by_keyboard_on_a_phone(page: Page, site: Live) -> None:
+    page.set_viewport_size({"width": 360, "height": 740})
+    practise(page, site, "tmm2_oop")
+    for _ in range(80):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.closest('#section-9') !== null"):
+            break
+    page.keyboard.press("Enter")
+    focus_by_tab(page, "answer.alpha3")
+    page.keyboard.type(RIGHT["alpha3"])
+    for _ in range(3):
+        page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    page.wait_for_selector("#section-9 .verdict")
+    assert page.evaluate("document.activeElement.id") == "section-9"
+    assert page.inner_text("#section-9 .verdict strong") == "Right."
+    page.evaluate("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+    assert page.evaluate("document.documentElement.scrollWidth") == 360
+    page.focus("#lab-t")
+    page.keyboard.press("End")
+    assert page.inner_text("[data-lab='time-value']") == "2.00\u202fs"
+
+
+def test_samples_come_back_and_the_largest_difference_is_told(page: Page, site: Live) -> None:
+    practise(page, site, "tmm2_oop")
+    fill(page, "polygon", RIGHT["polygon"])
+    expect(page.locator("[data-lab='note']")).to_have_text(AGREES)
+    with page.expect_download() as saved:
+        page.click("[data-lab='export']")
+    head, first, *rows = Path(saved.value.path()).read_text().splitlines()
+    t, x, *more = first.split(";")
+    page.fill("#lab-csv", "\n".join([head, ";".join([t, str(float(x) + 0.01), *more]), *rows]))
+    page.click("[data-lab='compare']")
+    assert part(page, "differences") == "Column x: largest difference 0.0100\u202fm at t = 0.00\u202fs."
+    page.fill("#lab-csv", "x\n1")
+    page.click("[data-lab='compare']")
+    assert part(page, "differences").startswith("Line 1 was not read.")
+
+
+def test_without_script_five_positions_stand_in_the_place_of_the_stage(browser: Browser, site: Live) -> None:
+    context = browser.new_context(locale="pl", java_script_enabled=False)
+    plain = context.new_page()
+    practise(plain, site, "slider_crank_polygon")
+    assert plain.locator(".strip svg:visible").count() == 5
+    assert plain.locator("[data-lab='play']:visible").count() == 0
+    context.close()
