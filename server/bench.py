@@ -15,6 +15,7 @@ from server.static_files import Assets
 from server.storage import Storage
 from server.storage.courses import Courses
 from server.storage.people import People
+from server.storage.sets import Sets
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +31,7 @@ class Bench:
     people: People
     courses: Courses
     passwords: Passwords
+    sets: Sets
 
 
 async def bench(request: Request) -> Bench:

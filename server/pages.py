@@ -21,12 +21,13 @@ from server.errors import Refused
 from server.exercises import known, sample
 from server.forms import Form
 from server.laboratory import laboratory, without_empty
-from server.policy import may_answer, may_see_solution
+from server.policy import may_answer
 from server.reader import Asking, Reader, admit, remember
+from server.receipts import whole
 from server.storage import Dealt, Draft
-from server.submissions import Graded, graded, receipted, submit, whole
+from server.submissions import Graded, graded, receipted, submit
 from server.templating import counted, page
-from server.variants import dealt_to, restored, solved, visible
+from server.variants import dealt_to, presented, restored, solution_is_open, solved, visible
 from server.workspace import lines
 
 SECTIONS = 13  # of the form of report TMM-2
@@ -115,7 +116,8 @@ async def show_workspace(
     last = await receipted(bench, reader, receipt) if receipt else await bench.storage.latest(dealt.id)
     if last is not None and last.handed.variant != dealt.id:
         raise Refused(404, "unknown_submission")
-    result = await graded(bench, last, reader.language) if last else None
+    staff = reader.owner_id != dealt.owner.id
+    result = await graded(bench, last, reader.language, staff=staff) if last else None
     draft = await bench.storage.draft(dealt.id) if may_answer(reader.owner_id, dealt) else None
     typed = draft.answers if draft and fresher(draft, last) else result.answers if result else {}
     work = Work(dealt, whole(typed), result, draft, fresh=bool(receipt), reported=reported, section=section)
@@ -167,7 +169,7 @@ async def card(bench: Bench, exercise: str, language: str) -> Card:
 
 
 async def _shown(bench: Bench, reader: Reader, dealt: Dealt) -> presenting.Presented:
-    return await bench.judging.run(presenting.presented, restored(dealt), reader.language)
+    return await presented(bench, dealt, reader.language)
 
 
 async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict[str, str]:
@@ -196,7 +198,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "right": sum(verdict.outcome == "right" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
         "key": secrets.token_hex(8),
-        "solution": may_see_solution(reader.role, await bench.storage.counted(dealt.id)),
+        "solution": await solution_is_open(bench, reader, dealt),
     }
     template = "laboratory.html" if lab else "workspace.html"
     return page(request, reader.language, template, context, path=f"/variants/{dealt.id}")

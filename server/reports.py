@@ -33,9 +33,9 @@ async def tmm2_report(
     """Write the TMM-2 report of a variant: without a receipt its skeleton, with one the student's own answers."""
     dealt = await visible(bench, reader, variant)
     handed = await _handed(bench, reader, dealt, receipt) if receipt else None
-    person = Person(name, group)
+    person, number = Person(name, group), dealt.code or str(dealt.seed)
     try:
-        made = await bench.judging.run(tmm2, restored(dealt), reader.language, person, str(dealt.seed), handed)
+        made = await bench.judging.run(tmm2, restored(dealt), reader.language, person, number, handed)
     except NoReport:
         raise Refused(404, "no_report") from None
     content = await asyncio.to_thread(formats.written, made, form)
@@ -48,7 +48,7 @@ async def _handed(bench: Bench, reader: Reader, dealt: Dealt, receipt: str) -> H
     marked = await receipted(bench, reader, receipt)
     if marked.handed.variant != dealt.id:
         raise Refused(404, "unknown_submission")
-    return handed_in(await graded(bench, marked, reader.language))
+    return handed_in(await graded(bench, marked, reader.language, staff=reader.owner_id != dealt.owner.id))
 
 
 def handed_in(found: Graded) -> HandedIn:

@@ -2,29 +2,30 @@
 
 from __future__ import annotations
 
-import json
 from datetime import UTC, datetime
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Header, Request, Response
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter
+from pydantic import BaseModel, ConfigDict, Field
 
 from exercises import grading, presenting
-from exercises.exercise import Grade, Submission
+from exercises.exercise import Submission
 from graders import Code, Verdict
 from graders.verdict import Entries, Reading
 from graders.words import message
-from server import ids
+from server import ids, receipts
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit
-from server.storage import Answers, Handed, Marked
+from server.receipts import GRADE, whole
+from server.sets import handing
+from server.storage import Answers, Dealt, Marked
+from server.storage.sets import Place
 from server.typed import Typed
 from server.variants import GONE, restored, sees, visible
 
 KEY_LONGEST = 64
-GRADE: TypeAdapter[Grade] = TypeAdapter(Grade)
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["submissions"])
 
@@ -59,11 +60,19 @@ class Receipt(BaseModel):
 
 
 class Graded(BaseModel):
-    """A graded submission."""
+    """A graded submission.
 
-    score: float = Field(ge=0, le=1)
+    One that `counted` may use up an attempt; `repeated` says that it did not count because the same answers were
+    handed in before. What is `held` has no score and no verdicts until the set closes. `needs_regrade` says that the
+    exercise has changed since its variant was dealt, and that the kept reference has judged.
+    """
+
+    score: float | None = Field(ge=0, le=1)
     counted: bool
+    repeated: bool
     provisional: bool
+    held: bool
+    needs_regrade: bool
     verdicts: dict[str, Judged]
     hints: list[str]
     receipt: Receipt
@@ -91,7 +100,8 @@ async def hand_in(
 @router.get("/submissions/{receipt}", responses=GONE | {422: {"model": Failure}})
 async def show_submission(receipt: str, bench: Tools, reader: Asking) -> Graded:
     """Look up a submission by the number on its receipt."""
-    return await graded(bench, await receipted(bench, reader, receipt), reader.language)
+    marked = await receipted(bench, reader, receipt)
+    return await graded(bench, marked, reader.language, staff=reader.owner_id != marked.handed.owner)
 
 
 async def submit(
@@ -118,25 +128,35 @@ async def submit(
     dealt = await visible(bench, reader, number)
     if not may_answer(reader.owner_id, dealt):
         raise unknown_variant()
+    received = datetime.now(UTC)
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    if place is not None:
+        before = await _before(bench, place, dealt, key, body, received)
+        if before is not None:
+            return before, True
+    task = Submission(restored(dealt), whole(answers))
     try:
-        grade = await bench.judging.grade(Submission(restored(dealt), whole(answers)), bench.secret)
+        grade = await (handing.judge(bench, place, task) if place else bench.judging.grade(task, bench.secret))
     except grading.UnknownAnswer as error:
         raise Refused(422, "unknown_answer", field=f"answers.{printable(error)}", name=printable(error)) from None
-    handed = _handed(dealt.id, dealt.owner.id, answers, key, body, reader.language)
-    marked = Marked(handed, GRADE.dump_python(grade, mode="json"), grade.counted, grade.grader_version)
-    return await bench.storage.keep_submission(marked)
+    handed = receipts.handed(dealt.id, dealt.owner.id, answers, key, body, reader.language, received)
+    marked = receipts.marked(handed, grade, dealt.code)
+    return await (handing.keep(bench, place, marked) if place else bench.storage.keep_submission(marked))
 
 
-def _handed(variant: str, owner: str, answers: Answers, key: str | None, body: str, language: str) -> Handed:
-    receipt, now = ids.new(), datetime.now(UTC)
-    typed = json.dumps(answers, sort_keys=True).encode()
-    digest = ids.digest(receipt.encode(), variant.encode(), now.isoformat().encode(), typed)
-    return Handed(receipt, variant, owner, dict(answers), now, key, body, digest, language)
+async def _before(
+    bench: Bench, place: Place, dealt: Dealt, key: str | None, body: str, received: datetime
+) -> Marked | None:
+    """Give what a key stands for already; refuse a new submission outside the window.
 
-
-def whole(answers: Answers) -> dict[str, str]:
-    """Give answers as texts; a list of lines is a text of lines."""
-    return {name: text if isinstance(text, str) else "\n".join(text) for name, text in answers.items()}
+    Raises:
+        Refused: 403, the set is not open at the moment of receipt.
+        KeyReused: The key was used with another body.
+    """
+    found = await bench.storage.keyed(dealt.owner.id, dealt.id, key, body) if key else None
+    if found is None:
+        handing.refuse_unless_open(handing.own_window(place), received)
+    return found
 
 
 async def receipted(bench: Bench, reader: Reader, receipt: str) -> Marked:
@@ -152,17 +172,23 @@ async def receipted(bench: Bench, reader: Reader, receipt: str) -> Marked:
     return marked
 
 
-async def graded(bench: Bench, marked: Marked, language: str) -> Graded:
-    """Word a stored grade in a language."""
+async def graded(bench: Bench, marked: Marked, language: str, *, staff: bool = False) -> Graded:
+    """Word a stored grade in a language; what an examination holds back, its student does not see."""
     grade, handed = GRADE.validate_python(marked.grade), marked.handed
-    dealt = await bench.storage.variant(handed.variant) if grade.mistake or grade.slip else None
-    hints = list(presenting.hints(restored(dealt), grade, language)) if dealt else []
+    place = await bench.sets.place(handed.variant) if marked.code else None
+    held = place is not None and not staff and handing.is_held(place, datetime.now(UTC))
+    hinted = not held and (place is None or staff or handing.rules_of(place.task_set).hints)
+    dealt = await bench.storage.variant(handed.variant) if hinted and (grade.mistake or grade.slip) else None
+    verdicts = {name: one for name, one in grade.verdicts.items() if not held or one.code is Code.UNREADABLE}
     return Graded(
-        score=grade.score,
-        counted=grade.counted,
-        provisional=grade.provisional,
-        verdicts={name: judged(verdict, language) for name, verdict in grade.verdicts.items()},
-        hints=hints,
+        score=None if held else grade.score,
+        counted=marked.counted,
+        repeated=grade.counted and not marked.counted,
+        provisional=grade.provisional and not held,
+        held=held,
+        needs_regrade=place is not None and not await bench.judging.run(handing.reproduced, place.card),
+        verdicts={name: judged(verdict, language) for name, verdict in verdicts.items()},
+        hints=list(presenting.hints(restored(dealt), grade, language)) if dealt else [],
         receipt=Receipt(id=handed.receipt, time=handed.time, digest=handed.digest),
         variant=handed.variant,
         answers=dict(handed.answers),

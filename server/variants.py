@@ -9,7 +9,7 @@ from html import escape
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Response
-from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictInt
+from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictInt, TypeAdapter
 
 from exercises import grading, presenting
 from exercises import variants as dealing
@@ -23,14 +23,16 @@ from server import ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
 from server.exercises import known
-from server.policy import may_see_solution, may_see_variant
+from server.policy import Role, may_see_solution, may_see_variant
 from server.reader import Asking, Reader, admit, remember, welcome
 from server.relations import relations
+from server.sets import handing
 from server.storage import Dealt
 from server.typed import Typed
 
 USED = timedelta(days=1)  # how exactly the last use is noted; a variant expires after 30 idle days
 SEED_RANGE = dealing.MAX_SEED
+PRESENTED: TypeAdapter[presenting.Presented] = TypeAdapter(presenting.Presented)
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["variants"])
 GONE: dict[int | str, dict[str, Any]] = {404: {"model": Failure}, 410: {"model": Failure}}
@@ -82,12 +84,16 @@ class Table(BaseModel):
 
 
 class ShownVariant(BaseModel):
-    """A variant as its owner sees it. Nothing in it depends on a reference value."""
+    """A variant as its owner sees it. Nothing in it depends on a reference value.
+
+    One that is dealt from a task set has a code, and no seed for its student.
+    """
 
     id: str
     exercise: str
     version: int
-    seed: int
+    seed: int | None
+    code: str | None
     title: str
     statement: str
     statement_text: str
@@ -158,7 +164,8 @@ async def deal_variant(
 @router.get("/variants/{variant}", responses=GONE | {422: {"model": Failure}})
 async def show_variant(variant: str, bench: Tools, reader: Asking) -> ShownVariant:
     """Show a variant to its owner or to a lecturer."""
-    return await shown(bench, await visible(bench, reader, variant), reader.language)
+    dealt = await visible(bench, reader, variant)
+    return await shown(bench, dealt, reader.language, resolved=reader.owner_id != dealt.owner.id)
 
 
 @router.post("/variants/{variant}/preview", responses=GONE | {422: {"model": Failure}})
@@ -185,7 +192,13 @@ async def show_solution(variant: str, bench: Tools, reader: Asking) -> Solution:
 
 
 async def dealt_to(bench: Bench, reader: Reader, exercise: str, seed: int | None) -> tuple[Dealt, str | None]:
-    """Deal a variant and store it; gives it and the cookie of a new owner."""
+    """Deal a variant and store it; gives it and the cookie of a new owner.
+
+    Raises:
+        Refused: 403, an open set reserves the exercise, so its seeds cannot be chosen.
+    """
+    if seed is not None and reader.role < Role.LECTURER:
+        await _refuse_reserved(bench, exercise)
     owner, cookie = welcome(reader, bench)
     drawn = secrets.randbelow(SEED_RANGE + 1) if seed is None else seed
     variant = await bench.judging.run(dealing.deal, known(exercise), drawn)
@@ -232,15 +245,24 @@ def restored(dealt: Dealt) -> Variant:
         raise Refused(410, "outdated_variant") from None
 
 
-async def shown(bench: Bench, dealt: Dealt, language: str) -> ShownVariant:
-    """Show a stored variant in a language."""
-    seen = await bench.judging.run(presenting.presented, restored(dealt), language)
+async def presented(bench: Bench, dealt: Dealt, language: str) -> presenting.Presented:
+    """Present a variant in a language; one from a set as it was published."""
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    if place is not None:
+        return PRESENTED.validate_python(place.card.shown[language])
+    return await bench.judging.run(presenting.presented, restored(dealt), language)
+
+
+async def shown(bench: Bench, dealt: Dealt, language: str, *, resolved: bool = False) -> ShownVariant:
+    """Show a stored variant in a language; `resolved` gives the seed behind a code."""
+    seen = await presented(bench, dealt, language)
     picture = seen.picture
     return ShownVariant(
         id=dealt.id,
         exercise=dealt.exercise,
         version=dealt.version,
-        seed=dealt.seed,
+        seed=None if dealt.code and not resolved else dealt.seed,
+        code=dealt.code,
         title=seen.title,
         statement=seen.statement_html,
         statement_text=seen.statement_text,
@@ -301,6 +323,23 @@ async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting
     Raises:
         Refused: 403, not open yet.
     """
-    if not may_see_solution(reader.role, await bench.storage.counted(dealt.id)):
+    if not await solution_is_open(bench, reader, dealt):
+        if dealt.code is not None:
+            raise Refused(403, "set_solution_closed", opens="rules_of_task_set")
         raise Refused(403, "solution_closed", opens="first_counted_submission")
+    if dealt.code is None and reader.role < Role.LECTURER:
+        await _refuse_reserved(bench, dealt.exercise)
     return await bench.judging.run(presenting.solution, restored(dealt), reader.language)
+
+
+async def solution_is_open(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
+    """Tell whether a reader may see the worked solution: by the rules of the set, or in practice."""
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    if place is None:
+        return may_see_solution(reader.role, await bench.storage.counted(dealt.id))
+    return reader.owner_id != dealt.owner.id or await handing.solution_is_open(bench, place)
+
+
+async def _refuse_reserved(bench: Bench, exercise: str) -> None:
+    if await bench.sets.reserved(exercise, datetime.now(UTC)):
+        raise Refused(403, "reserved", opens="end_of_task_set")

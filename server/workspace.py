@@ -11,7 +11,8 @@ from exercises.presenting import Field
 from graders.language.mathml import symbol_mathml
 from server import forms
 from server.bench import Bench
-from server.submissions import Graded, Judged, whole
+from server.receipts import whole
+from server.submissions import Graded, Judged
 from server.variants import Understood, understood
 
 SHORT = ("quantity", "integer", "rational")

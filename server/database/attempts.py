@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from sqlalchemy import Connection, Row, func, insert, select
+from sqlalchemy import Connection, func, insert, select
 
 from server.database.practice import keep_submission
-from server.storage import Marked, Owner
+from server.storage import Marked
 from server.storage.sets import Line, NoAttemptLeft, Waiting
-from server.tables import attempts, deck, drafts, grades, owners, slots, submissions
+from server.tables import attempts, deck, drafts, grades, slots, submissions
 
 
 def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
@@ -55,18 +53,12 @@ def ledger(connection: Connection, number: str, person: str | None) -> list[Line
     return [Line(**row) for row in connection.execute(mine).mappings()]
 
 
-def waiting(connection: Connection, number: str) -> list[Waiting]:
-    """List the drafts of a set that are newer than what was handed in."""
+def waiting(connection: Connection) -> list[Waiting]:
+    """List the drafts in sets that are newer than what was handed in."""
     last = select(func.max(submissions.c.time)).where(submissions.c.variant == drafts.c.variant).scalar_subquery()
     query = (
-        select(drafts, deck.c.person, owners.c.anonymous)
-        .join(deck, deck.c.variant == drafts.c.variant)
-        .join(slots, slots.c.id == deck.c.slot)
-        .join(owners, owners.c.id == deck.c.person)
-        .where(slots.c.task_set == number, (last.is_(None)) | (last < drafts.c.time))
+        select(drafts.c.variant, deck.c.person, drafts.c.answers, drafts.c.time)
+        .join_from(drafts, deck, deck.c.variant == drafts.c.variant)
+        .where((last.is_(None)) | (last < drafts.c.time))
     )
-    return [_waiting(row) for row in connection.execute(query)]
-
-
-def _waiting(row: Row[Any]) -> Waiting:
-    return Waiting(row.variant, Owner(row.person, row.anonymous), row.answers, row.time)
+    return [Waiting(**row) for row in connection.execute(query).mappings()]

@@ -40,6 +40,13 @@ def of_set(connection: Connection, number: str) -> list[Card]:
     return [Card(**row) for row in connection.execute(query).mappings()]
 
 
+def of_student(connection: Connection, number: str, person: str) -> list[Card]:
+    """List the cards of a student in a set by slot and turn."""
+    mine = slots.c.task_set == number, deck.c.person == person
+    query = select(deck).join(slots).where(*mine).order_by(slots.c.number, deck.c.turn)
+    return [Card(**row) for row in connection.execute(query).mappings()]
+
+
 def of_variant(connection: Connection, variant: str) -> Card | None:
     """Give the card that was dealt as a variant."""
     return _one(connection, select(deck).where(deck.c.variant == variant))

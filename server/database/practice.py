@@ -24,10 +24,15 @@ from server.storage import (
     StorageUnavailable,
     UnknownVariant,
 )
-from server.tables import drafts, grades, owners, problems, settings, submissions, variants
+from server.tables import deck, drafts, grades, owners, problems, settings, submissions, variants
 
 EARLIER = 20  # submissions with which a new one is compared
-VARIANT = select(variants, owners.c.anonymous).join(owners).where(variants.c.id == bindparam("number"))
+VARIANT = (
+    select(variants, owners.c.anonymous, deck.c.code)
+    .join(owners)
+    .outerjoin(deck, deck.c.variant == variants.c.id)
+    .where(variants.c.id == bindparam("number"))
+)
 TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
 
 
@@ -58,6 +63,10 @@ class Practice:
         """Give a submission with its newest grade."""
         query = _marked().where(submissions.c.receipt == receipt).order_by(grades.c.id.desc())
         return await self._connections.read(lambda connection: _one(connection, query))
+
+    async def keyed(self, owner: str, variant: str, key: str, body: str) -> Marked | None:
+        """Give the submission that a key stands for."""
+        return await self._connections.read(lambda connection: _keyed(connection, owner, variant, key, body))
 
     async def latest(self, variant: str) -> Marked | None:
         """Give the last submission to a variant."""
@@ -156,13 +165,18 @@ def _columns(handed: Handed) -> dict[str, Any]:
 
 def _first(connection: Connection, handed: Handed) -> Marked:
     """What the key stands for already."""
-    mine = submissions.c.owner == handed.owner, submissions.c.variant == handed.variant
-    first = _one(connection, _marked().where(*mine, submissions.c.key == handed.key).order_by(grades.c.id))
+    first = _keyed(connection, handed.owner, handed.variant, handed.key, handed.body)
     if first is None:
         raise StorageUnavailable("the receipt's number is taken")
-    if first.handed.body != handed.body:
-        raise KeyReused(handed.key)
     return first
+
+
+def _keyed(connection: Connection, owner: str, variant: str, key: str | None, body: str) -> Marked | None:
+    mine = submissions.c.owner == owner, submissions.c.variant == variant, submissions.c.key == key
+    found = _one(connection, _marked().where(*mine).order_by(grades.c.id))
+    if found is not None and found.handed.body != body:
+        raise KeyReused(key)
+    return found
 
 
 def _purge(connection: Connection, before: datetime) -> int:
@@ -181,7 +195,8 @@ def _purge(connection: Connection, before: datetime) -> int:
 
 
 def _marked() -> Select[Any]:
-    return select(submissions, grades.c.grade, grades.c.counted, grades.c.grader_version).join(grades)
+    given = grades.c.grade, grades.c.counted, grades.c.grader_version, deck.c.code
+    return select(submissions, *given).join(grades).outerjoin(deck, deck.c.variant == submissions.c.variant)
 
 
 def _one(connection: Connection, query: Select[Any]) -> Marked | None:
@@ -190,7 +205,7 @@ def _one(connection: Connection, query: Select[Any]) -> Marked | None:
         return None
     values = row._mapping
     handed = Handed(**{column.name: values[column.name] for column in submissions.columns})
-    return Marked(handed, values["grade"], values["counted"], values["grader_version"])
+    return Marked(handed, values["grade"], values["counted"], values["grader_version"], values["code"])
 
 
 def _dealt(row: Row[Any]) -> Dealt:

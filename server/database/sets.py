@@ -53,6 +53,10 @@ class Sets:
         """List the cards of a set by slot and number."""
         return await self._connections.read(lambda connection: deck.of_set(connection, number))
 
+    async def cards(self, number: str, person: str) -> Sequence[Card]:
+        """List the cards of a student in a set by slot and turn."""
+        return await self._connections.read(lambda connection: deck.of_student(connection, number, person))
+
     async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
         """Deal a student's card of a slot."""
         return await self._connections.write(lambda connection: deck.open_card(connection, slot, person, variant, now))
@@ -108,9 +112,9 @@ class Sets:
         query = select(exists().where(*dealt, *running))
         return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
 
-    async def waiting(self, number: str) -> Sequence[Waiting]:
-        """List the drafts that are newer than what was handed in."""
-        return await self._connections.read(lambda connection: attempts.waiting(connection, number))
+    async def waiting(self) -> Sequence[Waiting]:
+        """List the drafts in published sets that are newer than what was handed in."""
+        return await self._connections.read(attempts.waiting)
 
 
 def _add(connection: Connection, new: TaskSet) -> None:

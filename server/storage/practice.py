@@ -20,7 +20,10 @@ class Owner:
 
 @dataclass(frozen=True, slots=True)
 class Dealt:
-    """A variant as stored: seed, realised givens and the exercise's version stand side by side."""
+    """A variant as stored: seed, realised givens and the exercise's version stand side by side.
+
+    One that is dealt from a set has a code, which its student sees instead of the seed.
+    """
 
     id: str
     owner: Owner
@@ -30,6 +33,7 @@ class Dealt:
     givens: Mapping[str, Any]
     created: datetime
     last_used: datetime
+    code: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,12 +65,16 @@ class Handed:
 
 @dataclass(frozen=True, slots=True)
 class Marked:
-    """A submission with a grade (JSON values), whether it counted, and the version of the judges that gave it."""
+    """A submission with a grade (JSON values), whether it counted, and the version of the judges that gave it.
+
+    One to a set has the code of its variant.
+    """
 
     handed: Handed
     grade: Mapping[str, Any]
     counted: bool
     grader_version: str
+    code: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +132,14 @@ class Storage(Protocol):
 
     async def submission(self, receipt: str) -> Marked | None:
         """Give a submission with its newest grade."""
+        ...
+
+    async def keyed(self, owner: str, variant: str, key: str, body: str) -> Marked | None:
+        """Give the submission that a key stands for.
+
+        Raises:
+            KeyReused: The key was used with another body.
+        """
         ...
 
     async def latest(self, variant: str) -> Marked | None:

@@ -7,10 +7,9 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Protocol
 
-from server.storage.practice import Answers, Marked, Owner
+from server.storage.practice import Answers, Marked
 
 DRAFT, PUBLISHED = "draft", "published"
-FROM_DRAFT = "time-out"  # the idempotency key of a draft that was taken when the time ran out
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +108,7 @@ class Waiting:
     """A draft that was not handed in, and whose it is."""
 
     variant: str
-    owner: Owner
+    person: str
     answers: Answers
     time: datetime
 
@@ -159,6 +158,10 @@ class Sets(Protocol):
 
     async def deck(self, number: str) -> Sequence[Card]:
         """List the cards of a set by slot and number."""
+        ...
+
+    async def cards(self, number: str, person: str) -> Sequence[Card]:
+        """List the cards of a student in a set by slot and turn."""
         ...
 
     async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
@@ -227,6 +230,6 @@ class Sets(Protocol):
         """Tell whether a published set that is not over deals an exercise."""
         ...
 
-    async def waiting(self, number: str) -> Sequence[Waiting]:
-        """List the drafts that are newer than what was handed in."""
+    async def waiting(self) -> Sequence[Waiting]:
+        """List the drafts in published sets that are newer than what was handed in."""
         ...

@@ -217,7 +217,7 @@ def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
         connection.execute(insert(drafts), later)
     direct.dispose()
     school.keep(dealt, f"{dealt.id} 1", 2)
-    (found,) = asyncio.run(school.one.sets.waiting(task_set.id))
-    assert (found.variant, found.owner.id, found.answers) == (dealt.variant, "anna", {"l3": "2"})
+    (found,) = asyncio.run(school.one.sets.waiting())
+    assert (found.variant, found.person, found.answers) == (dealt.variant, "anna", {"l3": "2"})
     school.keep(dealt, f"{dealt.id} 2", 2, time=NOW + timedelta(minutes=2))
-    assert asyncio.run(school.one.sets.waiting(task_set.id)) == []
+    assert asyncio.run(school.one.sets.waiting()) == []
