@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from functools import lru_cache
 from threading import Lock
 from typing import Literal
@@ -13,6 +12,7 @@ from figures.paper import on_paper
 from reports.document import Document
 from reports.formulas.typst import quoted
 from reports.typst import source
+from reports.words import FOLDER
 
 LOCK = Lock()  # the compiler is one, and it keeps what it has laid out
 
@@ -48,7 +48,7 @@ def png(svg: str, description: str, dots: float = 220.0) -> bytes:
 
 @lru_cache(maxsize=1)
 def _compiler() -> engine.Compiler:
-    """Keep one compiler: the fonts of the package only, an empty root, so that a source can read no file."""
-    nowhere = tempfile.mkdtemp(prefix="grubler-typst-")
+    """Keep one compiler: its own fonts only, and a root that holds nothing but our words; it writes no file."""
+    nowhere = str(FOLDER)
     fonts = engine.Fonts(include_system_fonts=False, include_embedded_fonts=True)
     return engine.Compiler(root=nowhere, font_paths=fonts, package_path=nowhere, package_cache_path=nowhere)

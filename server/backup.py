@@ -71,7 +71,7 @@ def restore(settings: Settings, file: Path) -> Content:
         with closing(_opened(file)) as held, closing(sqlite3.connect(fresh)) as copy:
             held.backup(copy)
         migrate(f"sqlite:///{fresh}")
-        _same_shape(fresh)
+        _same_shape(fresh, Path(folder) / "ours.sqlite3")
         with closing(sqlite3.connect(fresh)) as copy:
             copy.execute("PRAGMA wal_checkpoint(TRUNCATE)")
             copy.execute("PRAGMA journal_mode=DELETE")
@@ -112,13 +112,11 @@ def _opened(file: Path) -> sqlite3.Connection:
     return held
 
 
-def _same_shape(file: Path) -> None:
+def _same_shape(file: Path, ours: Path) -> None:
     """Refuse what our migrations do not make: a foreign trigger or view would run later."""
-    with TemporaryDirectory() as folder:
-        ours = Path(folder) / NAME
-        migrate(f"sqlite:///{ours}")
-        if _shape(file) != _shape(ours):
-            raise BackupError("the copy has tables, views or triggers that this program does not make")
+    migrate(f"sqlite:///{ours}")
+    if _shape(file) != _shape(ours):
+        raise BackupError("the copy has tables, views or triggers that this program does not make")
 
 
 def _shape(file: Path) -> set[tuple[str, ...]]:
