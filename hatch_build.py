@@ -8,6 +8,7 @@ and `assets` (the fonts), all relative to the folder.
 
 from __future__ import annotations
 
+import json
 import shutil
 from hashlib import sha256
 from io import BytesIO
@@ -74,8 +75,16 @@ def build(root: Path) -> bool:
     cut_fonts(assets, assets / "build/fonts")
     run_node(assets, "node_modules/vite/bin/vite.js", "build", "--logLevel", "warn")
     shutil.copy(assets / "node_modules/@fontsource/stix-two-text/LICENSE", output / "fonts-license.txt")
+    copy_editor(assets / "node_modules/mathlive", output)
     (output / STAMP).write_text(digest)
     return True
+
+
+def copy_editor(package: Path, output: Path) -> None:
+    """Put the fonts and the licence of the formula editor beside its script, which is loaded when it is wanted."""
+    folder = output / f"mathlive-{json.loads((package / 'package.json').read_text())['version']}"
+    shutil.copytree(package / "fonts", folder)
+    shutil.copy(package / "LICENSE.txt", folder / "license.txt")
 
 
 def is_current(root: Path) -> bool:

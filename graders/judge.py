@@ -53,12 +53,14 @@ Reference: TypeAlias = Value | Formula
 
 @dataclass(frozen=True, slots=True)
 class Echo:
-    """What was understood: MathML, the same as text, the unit of the answer, and what was read otherwise than typed."""
+    """What was understood: MathML, the same as text, the unit of the answer, and what was read otherwise than typed;
+    a formula also as LaTeX, for a visual editor."""
 
     mathml: str
     text: str
     unit: str | None = None
     notes: tuple[Note, ...] = ()
+    latex: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -123,6 +123,7 @@ class Understood(BaseModel):
     ok: bool
     mathml: str = ""
     text: str = ""
+    latex: str = ""
     unit: str | None = None
     note: str | None = None
     code: str | None = None
@@ -314,7 +315,9 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
         else read.mathml
     )
     note = noted(read.notes, language) or None
-    return Understood(ok=True, mathml=mathml, text=f"{read.text} {unit}".rstrip(), unit=read.unit, note=note)
+    return Understood(
+        ok=True, mathml=mathml, text=f"{read.text} {unit}".rstrip(), latex=read.latex, unit=read.unit, note=note
+    )
 
 
 async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting.SolvedLine, ...]:

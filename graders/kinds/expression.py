@@ -11,6 +11,7 @@ from graders.common_slips import CommonSlip, Slips
 from graders.formulas import Form, checked, has_form
 from graders.judge import Echo, Formula, Samples, States
 from graders.language.doubles import UndefinedError, line_runner, run
+from graders.language.latex import latex_of
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
@@ -104,7 +105,7 @@ class Expression:
 
     def echo(self, answer: Tree, comma: bool = False) -> Echo:
         """Show the formula as it was read."""
-        return Echo(mathml_of(answer, comma), text_of(answer))
+        return Echo(mathml_of(answer, comma), text_of(answer), latex=latex_of(answer, comma))
 
     def carried(self, answer: Tree) -> Tree:
         """Give the student's formula, from which later answers are solved."""

@@ -14,6 +14,7 @@ import { sketch } from "./ts/sketch.ts";
 import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
 import { showSymbols } from "./ts/symbols.ts";
+import { offerVisual } from "./ts/visual.ts";
 
 document.querySelectorAll<HTMLElement>("[data-polygon]").forEach(buildPolygon);
 document.querySelectorAll<HTMLElement>("[data-sketch]").forEach(sketch);
@@ -27,6 +28,7 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   hideStaleVerdicts(form);
   restoreDraft(form); // last: what it restores is echoed and grown like typed text
 });
+document.querySelectorAll<HTMLElement>("[data-visual]").forEach(offerVisual);
 document.querySelectorAll<HTMLElement>('.keys[hidden]').forEach(showSymbols);
 document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);
 document.querySelectorAll<HTMLFormElement>("form[data-person]").forEach(keepPerson);

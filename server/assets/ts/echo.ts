@@ -1,8 +1,9 @@
 /* Live echo: what was understood stands under the field before anything counts. */
 import { answerOf } from "./answers.ts";
+import { ask } from "./ask.ts";
 import { isTextField, type TextField } from "./fields.ts";
 import { readMathML } from "./mathml.ts";
-import { readPreview, turnstile, type Preview } from "./preview.ts";
+import { turnstile, type Preview } from "./preview.ts";
 
 const PAUSE = 400; // ms after the last key
 
@@ -38,23 +39,6 @@ function clear(field: TextField, place: HTMLElement, text = ""): void {
   place.classList.remove("bad");
   place.textContent = text;
   mark(field, false);
-}
-
-/** The sentence of a refusal, such as too many requests; null when the reply holds none. */
-async function refusal(reply: Response): Promise<Preview | null> {
-  const said = ((await reply.json()) as { error?: { message?: unknown } }).error?.message;
-  return typeof said === "string" ? { ok: false, message: said, position: null } : null;
-}
-
-async function ask(url: string, answer: string, text: string): Promise<Preview | null> {
-  const headers = { "Content-Type": "application/json", "Accept-Language": document.documentElement.lang };
-  try {
-    const reply = await fetch(url, { method: "POST", headers, body: JSON.stringify({ answer, text }) });
-    if (reply.status === 429) return await refusal(reply);
-    return reply.ok ? readPreview(await reply.json()) : null;
-  } catch {
-    return null; // no connection, or no JSON: both mean that there is no preview now
-  }
 }
 
 function listen(place: HTMLElement, form: HTMLFormElement, url: string): (field: TextField) => void {

@@ -16,6 +16,7 @@ import {
   inserted, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, type Place,
 } from "./sketch_model.ts";
 import { keystroke, nextKey } from "./symbols.ts";
+import { latexOf } from "./visual.ts";
 
 test("an answer field is told from any other field by its name", () => {
   assert.equal(answerName("answer.omega2"), "omega2");
@@ -41,9 +42,9 @@ test("no attribute can run, link, style or name anything", () => {
 });
 
 test("a preview is read in its declared shape and anything else is no preview", () => {
-  const good = { ok: true, mathml: "<math></math>", text: "1 mm", unit: "mm", note: null };
+  const good = { ok: true, mathml: "<math></math>", text: "1 mm", latex: "1", unit: "mm", note: null };
   assert.deepEqual(readPreview(good), good);
-  assert.deepEqual(readPreview({ ok: true, mathml: "" }), { ok: true, mathml: "", text: "", unit: null, note: null });
+  assert.deepEqual(readPreview({ ok: true, mathml: "" }), { ok: true, mathml: "", text: "", latex: "", unit: null, note: null });
   const bad = { ok: false, message: "Not read.", position: 7 };
   assert.deepEqual(readPreview(bad), bad);
   for (const reply of [null, "ok", 1, [], {}, { ok: true }, { ok: false }, { error: { code: "x" } }]) {
@@ -173,7 +174,7 @@ test("Insert adds a jump, then a place; Delete takes the bend, the jump, the pla
 test("a handle stays on the grid and between its neighbours", () => {
   const places = [0, 1, 2].map((x) => ({ x, left: 3, right: null, middle: null }));
   const scale = scaleOf(places, 2);
-  assert.deepEqual([scale.highest, scale.step, scale.xStep], [5, 0.05, 0.02]);
+  assert.deepEqual([scale.highest, scale.step, scale.xStep], [4, 0.05, 0.02]);
   assert.equal(withOrdinate(places, 1, "left", 3.0312, scale)[1]?.left, 3.05);
   assert.equal(withPlace(places, 1, 1.239, scale)[1]?.x, 1.24);
   assert.equal(withPlace(places, 1, 2, scale), places);
@@ -208,4 +209,10 @@ test("items of an order move by one and typed letters are followed", () => {
   assert.deepEqual(moved(["a", "b"], 0, -1), ["a", "b"]);
   assert.deepEqual(lettersOf("B; a, c", ["a", "b", "c"]), ["b", "a", "c"]);
   assert.equal(lettersOf("b; a", ["a", "b", "c"]), null);
+});
+
+test("declared names are written in the visual editor as they are printed", () => {
+  const names = ["l1", "alpha1", "R_A", "L", "omega", "x_K", "epsilon12", "EI"];
+  const printed = ["l_{1}", "\\alpha_{1}", "R_{A}", "L", "\\omega", "x_{K}", "\\epsilon_{12}", "EI"];
+  assert.deepEqual(names.map(latexOf), printed);
 });

@@ -4,6 +4,7 @@ export interface Understood {
   ok: true;
   mathml: string;
   text: string;
+  latex: string;
   unit: string | null;
   note: string | null;
 }
@@ -21,9 +22,9 @@ const textOr = <T>(value: unknown, other: T): string | T => (typeof value === "s
 /** The reply in its declared shape, or null when it is something else (an error page, another version). */
 export function readPreview(reply: unknown): Preview | null {
   if (typeof reply !== "object" || reply === null) return null;
-  const { ok, mathml, text, unit, note, message, position } = reply as Record<string, unknown>;
+  const { ok, mathml, text, latex, unit, note, message, position } = reply as Record<string, unknown>;
   if (ok === true && typeof mathml === "string") {
-    return { ok, mathml, text: textOr(text, ""), unit: textOr(unit, null), note: textOr(note, null) };
+    return { ok, mathml, text: textOr(text, ""), latex: textOr(latex, ""), unit: textOr(unit, null), note: textOr(note, null) };
   }
   if (ok === false && typeof message === "string") {
     return { ok, message, position: typeof position === "number" ? position : null };

@@ -75,8 +75,16 @@ class Sketch {
     return HEIGHT / 2 + ((this.downwards ? 1 : -1) * value * (HEIGHT / 2 - EDGE)) / this.scale.highest;
   }
 
+  /* One empty row beyond the last that is used stays in sight. */
+  private fold(): void {
+    const rows = this.cells();
+    const used = rows.findLastIndex((row) => row.some((cell) => cell.value.trim() !== "" || cell === document.activeElement));
+    rows.forEach((row, at) => row[0]?.closest("tr")?.toggleAttribute("hidden", at > Math.max(used + 1, 2)));
+  }
+
   show(): void {
     const places = this.places();
+    this.fold();
     this.box.hidden = places === null || (this.twin?.value.trim() ?? "") !== "";
     if (places === null) return;
     this.scale = scaleOf(places, Number(this.box.dataset["span"] ?? 1));

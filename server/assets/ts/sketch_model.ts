@@ -51,10 +51,13 @@ export function ordinate(place: Place, next: Place, share: number): number {
   return start * (1 - share) * (1 - 2 * share) + 4 * half * share * (1 - share) + end * share * (2 * share - 1);
 }
 
-/** The smallest of 1, 2, 5, 10, 20, … that is not below a number. */
-export function round125(least: number): number {
+const STEPS = [1, 2, 5, 10];
+const HEIGHTS = [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+
+/** The smallest of some round numbers (from 1 to 10, times a power of ten) that is not below a number. */
+export function rounded(least: number, among: number[]): number {
   const power = 10 ** Math.floor(Math.log10(least));
-  return [1, 2, 5, 10].map((step) => step * power).find((step) => step >= least * (1 - 1e-9)) ?? 10 * power;
+  return (among.find((step) => step * power >= least * (1 - 1e-9)) ?? 10) * power;
 }
 
 export interface Scale {
@@ -69,9 +72,9 @@ export function scaleOf(places: Place[], span: number): Scale {
   const values = places.flatMap(({ left, right, middle }) => [left, right ?? 0, middle ?? 0]).map(Math.abs);
   const first = Math.min(0, ...places.map(({ x }) => x));
   const last = Math.max(span, ...places.map(({ x }) => x));
-  const highest = round125(Math.max(1e-6, ...values) * 1.05);
+  const highest = rounded(Math.max(1e-6, ...values) * 1.05, HEIGHTS);
   const axis = values.some(Boolean) ? highest : 10;
-  return { first, last, highest: axis, xStep: round125((last - first) / 100), step: round125(axis / 100) };
+  return { first, last, highest: axis, xStep: rounded((last - first) / 100, STEPS), step: rounded(axis / 100, STEPS) };
 }
 
 const snapped = (value: number, step: number): number => Math.round(Math.round(value / step) * step * QUANTUM) / QUANTUM;
