@@ -186,9 +186,9 @@ def live(tmp_path: Path) -> Iterator[Live]:
     server.kill()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Live]:
-    """A running server that the tests of a module share."""
+    """A running server that the tests of a session share."""
     server = Live(tmp_path_factory.mktemp("site"))
     server.start()
     yield server

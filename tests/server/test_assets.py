@@ -80,7 +80,16 @@ def test_the_fonts_travel_with_their_licence() -> None:
     assert "SIL OPEN FONT LICENSE" in (BUILT / "fonts-license.txt").read_text()
 
 
+def test_the_formula_editor_waits_beside_the_script_with_its_fonts_and_licence() -> None:
+    (folder,) = BUILT.glob("mathlive-*/")
+    wanted = json.loads((ASSETS / "package.json").read_text())["dependencies"]["mathlive"]
+    assert folder.name == f"mathlive-{wanted}" and len(list(folder.glob("*.woff2"))) == 20
+    assert "MIT" in (folder / "license.txt").read_text()
+    assert len(list(BUILT.glob("mathlive.min-*.js"))) == 1 and SCRIPT.stat().st_size < 100_000
+
+
 def test_a_page_loads_little() -> None:
+    assert packed(SCRIPT) + packed(STYLE) + sum(file.stat().st_size for file in FONTS.values()) < 150_000
     assert packed(STYLE) < 10_000
     assert packed(SCRIPT) < 30_000
     assert sum(file.stat().st_size for file in FONTS.values()) < 140_000

@@ -1,0 +1,25 @@
+"""What axe-core finds on a page: WCAG 2.2 AA and best practice."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from playwright.sync_api import Page
+
+SOURCE = (Path(__file__).parents[2] / "server/assets/node_modules/axe-core/axe.min.js").read_text("utf-8")
+TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+DEPENDS_ON_LOOKS = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
+RUN = """async (only) => (await axe.run(document, {runOnly: only, resultTypes: ["violations"]}))
+    .violations.map(({id, nodes}) => `${id}: ${nodes.slice(0, 4).map(({html}) => html.slice(0, 160)).join(" | ")}`)"""
+
+
+def found(page: Page, *, looks_only: bool = False) -> list[str]:
+    """Give each rule that is broken, with the first places; `looks_only` runs what colours and widths decide."""
+    only: dict[str, Any] = (
+        {"type": "rule", "values": DEPENDS_ON_LOOKS} if looks_only else {"type": "tag", "values": TAGS}
+    )
+    if not page.evaluate("'axe' in window"):
+        page.evaluate(SOURCE)
+    broken: list[str] = page.evaluate(RUN, only)
+    return broken

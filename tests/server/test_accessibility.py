@@ -1,0 +1,140 @@
+"""No finding of axe-core on any page or state, light and dark, on a wide screen and on a phone; nothing moves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from exercises import grading
+from exercises.variants import deal
+from server import tokens
+from server.database import secret_of
+from server.settings import Settings
+from tests.server import axe, components
+from tests.server.conftest import Live
+from tests.server.test_browser import practise, watched
+
+State = Callable[[Page, Live], None]
+ALL_OUTCOMES = {"alpha2": grading.reference(deal("slider_crank", 7))["alpha2"], "l3": "1 mm", "v3": "1 m/"}
+SHIFTS = """() => new Promise((done) => new PerformanceObserver((list) =>
+    done(list.getEntries().reduce((sum, entry) => sum + (entry.hadRecentInput ? 0 : entry.value), 0))
+  ).observe({type: "layout-shift", buffered: true}) || setTimeout(() => done(0), 300))"""
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser) -> Iterator[Page]:
+    context = browser.new_context(locale="en", reduced_motion="reduce")
+    yield from watched(context.new_page())
+    context.close()
+
+
+def catalogue_of_one(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/?q=vp-2")
+
+
+def nothing_found(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/?q=nothing-says-this")
+
+
+def exercise(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/exercises/slider_crank")
+    page.click("details summary")
+
+
+def all_kinds_and_outcomes(page: Page, site: Live) -> None:
+    practise(page, site)
+    address, whole = f"{site.url}/components", components.page(page.request.get(page.url).text())
+    headers = {
+        "content-type": "text/html",
+        "content-security-policy": page.request.get(site.url).headers["content-security-policy"],
+    }
+    page.route(address, lambda route: route.fulfill(body=whole, headers=headers))
+    page.goto(address)
+    page.wait_for_selector(".order button")
+    page.locator("[data-draft-conflict]").evaluate("node => { node.hidden = false; }")
+
+
+def polygon(page: Page, site: Live) -> None:
+    practise(page, site, "slider_crank_polygon")
+    page.fill("[name='answer.polygon']", grading.reference(deal("slider_crank_polygon", 7))["polygon"])
+    page.wait_for_selector(".read math")
+
+
+def table(page: Page, site: Live) -> None:
+    practise(page, site, "rrp_table")
+    page.locator("details summary:visible").last.click()
+
+
+def verdicts(page: Page, site: Live) -> None:
+    practise(page, site)
+    for name, text in ALL_OUTCOMES.items():
+        page.fill(f"[name='answer.{name}']", text)
+    page.click("form[data-preview] button.main")
+    page.wait_for_selector("#result")
+    page.evaluate("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
+
+
+def solution(page: Page, site: Live) -> None:
+    page.click("a[href$='/solution']")
+
+
+def visual_editor(page: Page, site: Live) -> None:
+    practise(page, site)
+    page.click(".visual button")
+    page.wait_for_selector("math-field")
+
+
+def nothing_here(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/none")
+
+
+def problems(page: Page, site: Live) -> None:
+    practise(page, site)
+    page.click("#problem summary")
+    page.fill("#problem-text", "The figure and the text disagree.")
+    page.click("#problem button")
+    token = tokens.issue("lecturer", secret_of(Settings(site.folder).store_url))
+    page.context.set_extra_http_headers({"authorization": f"Bearer {token}"})
+    page.goto(f"{site.url}/problems")
+    page.context.set_extra_http_headers({})
+
+
+STATES: tuple[State, ...] = (
+    catalogue_of_one, nothing_found, exercise, all_kinds_and_outcomes, polygon, table, verdicts, solution,
+    visual_editor, nothing_here, problems,
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("state", STATES, ids=lambda state: state.__name__)
+def test_axe_finds_nothing_in_light_and_dark_wide_and_narrow(page: Page, site: Live, state: State) -> None:
+    page.emulate_media(color_scheme="light")
+    page.set_viewport_size({"width": 1360, "height": 900})
+    state(page, site)
+    broken = axe.found(page)
+    page.emulate_media(color_scheme="dark")
+    broken += axe.found(page, looks_only=True)
+    page.set_viewport_size({"width": 360, "height": 800})
+    broken += axe.found(page)
+    page.emulate_media(color_scheme="light")
+    broken += axe.found(page, looks_only=True)
+    assert broken == [], "\n".join(broken)
+    page.set_viewport_size({"width": 320, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 320
+
+
+def test_axe_would_find_a_label_that_is_missing(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/?q=vp-2")
+    page.evaluate(
+        "document.querySelector('label[for=find]').remove(); document.querySelector('#find').placeholder = ''"
+    )
+    assert any(line.startswith("label:") for line in axe.found(page))
+
+
+def test_nothing_shifts_while_a_page_arrives(page: Page, site: Live) -> None:
+    page.set_viewport_size({"width": 1360, "height": 900})
+    practise(page, site)
+    page.reload()
+    page.wait_for_selector(".keys:visible")
+    assert page.evaluate(SHIFTS) < 0.1
