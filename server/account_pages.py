@@ -52,7 +52,7 @@ async def change_account(request: Request, bench: Tools, reader: Asking) -> Resp
     spoken, theme = values.get("language", ""), values.get("theme", "")
     if spoken not in language.LANGUAGES or theme not in THEMES:
         raise Refused(422, "out_of_range", field="language", name="language")
-    await bench.people.prefer(people.themselves(reader).id, spoken, theme)
+    await bench.people.prefer(people.signed_in(reader).id, spoken, theme)
     response = RedirectResponse("/account", 303)
     keep_preferences(response, bench.settings.https, spoken, theme)
     return response
@@ -62,8 +62,9 @@ async def change_account(request: Request, bench: Tools, reader: Asking) -> Resp
 async def change_password(request: Request, bench: Tools, reader: Asking) -> Response:
     """Change the password; all other sessions end."""
     values = (await forms.read(request)).values
+    person, session = people.signed_in(reader), reader.session.digest if reader.session else ""
     try:
-        await identity.change_password(bench, reader, values.get("old", ""), values.get("password", ""))
+        await identity.change_password(bench, person, session, values.get("old", ""), values.get("password", ""))
     except Refused as refused:
         said = language.say(reader.language, f"errors.{refused.code}", **refused.values)
         return await _account(request, bench, reader, {"problem": said}, refused.status_code)
@@ -109,7 +110,7 @@ async def revoke_token(token: str, bench: Tools, reader: Asking) -> Response:
 async def _account(
     request: Request, bench: Bench, reader: Reader, more: dict[str, Any], status: int = 200
 ) -> HTMLResponse:
-    person = people.themselves(reader)
+    person = people.signed_in(reader)
     context = {
         "person": person,
         "sessions": await bench.people.sessions(person.id),

@@ -158,15 +158,16 @@ async def _first(bench: Bench, secret: str, newcomer: Newcomer) -> Person:
     return person
 
 
-async def change_password(bench: Bench, reader: Reader, old: str, new: str) -> None:
-    """Change the password of the one who asks; all other sessions end."""
-    assert reader.person is not None
-    person = reader.person
+async def change_password(bench: Bench, person: Person, session: str, old: str, new: str) -> None:
+    """Change a password; all sessions but one end.
+
+    Raises:
+        Refused: 401 for a wrong old password, 422 for a new one that will not do.
+    """
     check_password(new, person.login or "")
     if person.password is not None and not await bench.passwords.fits(old, person.password):
         raise Refused(401, "wrong_sign_in", field="old")
-    keep = reader.session.digest if reader.session else ""
-    await bench.people.set_password(person.id, await bench.passwords.hashed(new), keep)
+    await bench.people.set_password(person.id, await bench.passwords.hashed(new), session)
 
 
 def login_of(text: str) -> str:

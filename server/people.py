@@ -106,7 +106,7 @@ async def sign_in(body: SignIn, request: Request, response: Response, bench: Too
 @router.get("/sessions", responses=REFUSED)
 async def list_sessions(bench: Tools, reader: Asking) -> list[ShownSession]:
     """List one's own sessions."""
-    found = await bench.people.sessions(themselves(reader).id)
+    found = await bench.people.sessions(signed_in(reader).id)
     return [_shown_session(session, reader) for session in found]
 
 
@@ -128,7 +128,7 @@ async def show_me(reader: Asking) -> ShownPerson:
 @router.get("/tokens", responses=REFUSED)
 async def list_tokens(bench: Tools, reader: Asking) -> list[ShownToken]:
     """List one's own tokens."""
-    return [_shown_token(token) for token in await bench.people.tokens(themselves(reader).id)]
+    return [_shown_token(token) for token in await bench.people.tokens(signed_in(reader).id)]
 
 
 @router.post("/tokens", status_code=201, responses=REFUSED)
@@ -171,17 +171,28 @@ def themselves(reader: Reader) -> Person:
     return reader.person
 
 
+def signed_in(reader: Reader) -> Person:
+    """Give the person who is signed in: sessions, tokens and the password are not for programs.
+
+    Raises:
+        Refused: 403, nobody is, or a token asks.
+    """
+    if reader.session is None:
+        raise Refused(403, "person_needed")
+    return themselves(reader)
+
+
 async def end(bench: Bench, reader: Reader, session: str) -> None:
     """End one of one's own sessions; raises Refused where there is none."""
-    if len(session) != 16 or not await bench.people.end(themselves(reader).id, session):
+    if len(session) != 16 or not await bench.people.end(signed_in(reader).id, session):
         raise Refused(404, "unknown_session")
 
 
 async def new_token(bench: Bench, reader: Reader, name: str, role: str, days: int) -> tuple[Token, str]:
     """Make a token of the person who asks; raises Refused where it would do more than the person may."""
-    person = themselves(reader)
+    person = signed_in(reader)
     wanted = Role.__members__.get(role.upper())
-    if reader.session is None or wanted is None or not Role.ANONYMOUS < wanted <= reader.role:
+    if wanted is None or not Role.ANONYMOUS < wanted <= reader.role:
         raise Refused(403, "forbidden", field="role")
     now = datetime.now(UTC)
     token = Token(ids.new(), person.id, identity.name_of(name)[:80], role.lower(), now, now + timedelta(days=days))
@@ -191,7 +202,7 @@ async def new_token(bench: Bench, reader: Reader, name: str, role: str, days: in
 
 async def revoke(bench: Bench, reader: Reader, token: str) -> None:
     """End one of one's own tokens; raises Refused where there is none."""
-    if not await bench.people.revoke(themselves(reader).id, token, datetime.now(UTC)):
+    if not await bench.people.revoke(signed_in(reader).id, token, datetime.now(UTC)):
         raise Refused(404, "unknown_token")
 
 

@@ -16,6 +16,7 @@ from graders import Verdict
 from server.app import create_app
 from server.migrate import migrate
 from server.settings import Settings
+from tests.server.school import School, opened
 
 Attack = Callable[..., Verdict]
 VARIANT = deal("slider_crank", 7)
@@ -44,4 +45,13 @@ def client(tmp_path: Path) -> Iterator[TestClient]:
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         reply = found.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7})
         found.headers["x-variant"] = reply.json()["id"]
+        yield found
+
+
+@pytest.fixture
+def school(tmp_path: Path) -> Iterator[School]:
+    """A server with a course and somebody of every role."""
+    settings = Settings(tmp_path, secret=b"a secret of the tests")
+    migrate(settings.store_url)
+    with opened(settings) as found:
         yield found

@@ -24,14 +24,23 @@ CHEAP = Argon2Hasher(time_cost=1, memory_cost=8, parallelism=1)
 PASSWORD = "chalk and blackboard"
 NOW = datetime(2026, 11, 28, 9, 0, tzinfo=UTC)
 CODE = "KX49-2MQT"
-MEMBERS = {"lecturer": "lecturer", "assistant": "assistant", "student": "student", "other": "student"}
+MEMBERS = {
+    "lecturer": "lecturer",
+    "assistant": "assistant",
+    "student": "student",
+    "other": "student",
+    "leaver": "student",
+}
 ROLES = {"administrator": "administrator", "lecturer": "lecturer", "stranger": "lecturer"}  # all others: student
-NAMES = ("administrator", "lecturer", "stranger", "assistant", "student", "other", "outsider")
+NAMES = ("administrator", "lecturer", "stranger", "assistant", "student", "other", "leaver", "outsider")
 
 
 @dataclass(frozen=True, slots=True)
 class School:
-    """The server, its course and its people by name; `stranger` lectures elsewhere, `outsider` is in no course."""
+    """The server, its course and its people by name.
+
+    `stranger` lectures elsewhere, `outsider` is in no course, `leaver` is there to be taken out.
+    """
 
     app: FastAPI
     portal: BlockingPortal
@@ -79,6 +88,6 @@ async def _course(bench: Bench, people: dict[str, str]) -> tuple[str, str]:
     await bench.courses.add(course, people["lecturer"])
     await bench.courses.add(Course(ids.new(), "Other", "pl", "Europe/Warsaw", NOW, "ZZZZ-0000"), people["stranger"])
     await bench.courses.add_group(Group(group, course.id, "A"))
-    for name in ("assistant", "student", "other"):
+    for name in ("assistant", "student", "other", "leaver"):
         assert await bench.courses.join(course.id, people[name], MEMBERS[name], NOW)
     return course.id, group

@@ -1,0 +1,85 @@
+"""A30: neither invitation nor import, link, role change or token gives anybody more than was meant."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.server.school import CODE, PASSWORD, School
+
+
+def members(school: School) -> dict[str, str]:
+    found = school.browser("administrator").get(f"/api/v1/courses/{school.course}/members").json()
+    return {member["login"]: member["role"] for member in found}
+
+
+@pytest.mark.parametrize("more", [{"role": "lecturer"}, {"course_role": "lecturer"}, {"id": "x"}])
+def test_who_joins_is_a_student(school: School, more: dict[str, str]) -> None:
+    form = {"code": CODE, "login": "2001", "name": "Olga", "password": "a lever and a place"}
+    browser = school.browser()
+    assert browser.post("/api/v1/join", json=form | more).json()["error"]["code"] == "extra_field"
+    assert browser.post(f"/join/{CODE}", data=form | more).status_code == 303
+    assert browser.get("/api/v1/me").json()["role"] == "student" and members(school)["2001"] == "student"
+
+
+def test_joining_again_changes_no_role(school: School) -> None:
+    assert school.browser("lecturer").post("/api/v1/join", json={"code": CODE}).status_code == 201
+    assert members(school)["lecturer"] == "lecturer"
+
+
+def test_a_roster_makes_students_and_changes_no_role(school: School) -> None:
+    roster = "login;name;group;role\n4001;Ewa;A;lecturer\nassistant;A;A\nadministrator;Boss;A;administrator"
+    body = {"csv": roster, "apply": True}
+    assert school.browser("lecturer").post(f"/api/v1/courses/{school.course}/roster", json=body).status_code == 200
+    roles = {"lecturer": "lecturer", "assistant": "assistant"}
+    others = ("student", "other", "leaver", "4001", "administrator")
+    assert members(school) == roles | dict.fromkeys(others, "student")
+
+
+def test_no_link_leads_into_an_account_with_more_rights(school: School) -> None:
+    lecturer, place = school.browser("lecturer"), f"/api/v1/courses/{school.course}"
+    everybody = "administrator;B\nstranger;S\nassistant;A\noutsider;O"
+    assert lecturer.post(f"{place}/roster", json={"csv": everybody, "apply": True}).status_code == 200
+    for who in ("administrator", "stranger", "assistant", "lecturer"):
+        reply = lecturer.post(f"{place}/members/{school.people[who]}/link")
+        assert (reply.status_code, reply.json()["error"]["code"]) == (403, "no_reset"), who
+    assert lecturer.post(f"{place}/members/{school.people['outsider']}/link").status_code == 201
+
+
+def test_an_account_of_a_roster_with_more_rights_is_not_claimed_by_a_code(school: School) -> None:
+    roster = {"csv": "administrator;B", "apply": True}
+    assert school.browser("lecturer").post(f"/api/v1/courses/{school.course}/roster", json=roster).status_code == 200
+    form = {"login": "administrator", "name": "B", "password": "another password"}
+    assert school.browser().post(f"/join/{CODE}", data=form).status_code == 409
+    assert school.browser("administrator").get("/api/v1/me").status_code == 200
+
+
+@pytest.mark.parametrize(("who", "code"), [("student", "forbidden"), ("assistant", "forbidden"),
+                                           ("lecturer", "own_role")])  # fmt: skip
+def test_nobody_changes_the_own_role(school: School, who: str, code: str) -> None:
+    browser, mine = school.browser(who), f"/courses/{school.course}/members/{school.people[who]}"
+    role = "student" if who == "lecturer" else "lecturer"
+    assert browser.patch(f"/api/v1{mine}", json={"role": role}).json()["error"]["code"] == code
+    assert browser.post(mine, data={"role": role}).json()["error"]["code"] == code
+    assert browser.delete(f"/api/v1{mine}").json()["error"]["code"] == code
+
+
+def test_a_lecturer_of_a_course_is_no_lecturer_of_the_server(school: School) -> None:
+    place = f"/api/v1/courses/{school.course}/members/{school.people['student']}"
+    assert school.browser("lecturer").patch(place, json={"role": "lecturer"}).status_code == 200
+    browser = school.browser("student")
+    assert browser.get(f"/api/v1/courses/{school.course}/members").status_code == 200
+    assert browser.post("/api/v1/courses", json={"title": "Mine"}).status_code == 403
+    assert browser.post("/api/v1/compare", json={}).status_code == 403
+
+
+def test_a_token_has_no_more_rights_and_makes_no_tokens(school: School) -> None:
+    student, lecturer = school.browser("student"), school.browser("lecturer")
+    for role in ("lecturer", "administrator", "anonymous", "dean"):
+        assert student.post("/api/v1/tokens", json={"name": "x", "role": role}).status_code == 403
+        assert student.post("/account/tokens", data={"name": "x", "role": role, "days": "1"}).status_code == 403
+    token = lecturer.post("/api/v1/tokens", json={"name": "x", "role": "student"}).json()["token"]
+    bearer = {"authorization": f"Bearer {token}"}
+    again = school.browser().post("/api/v1/tokens", json={"name": "y", "role": "student"}, headers=bearer)
+    assert again.status_code == 403
+    old = {"old": PASSWORD, "password": "another password"}
+    assert school.browser().post("/account/password", data=old, headers=bearer).status_code == 403
