@@ -31,7 +31,8 @@ def described() -> dict[str, Any]:
     """Read every route of the description, by name."""
     with TemporaryDirectory() as folder:
         found = schemathesis.openapi.from_dict(create_app(Settings(Path(folder))).openapi())
-    return {each.ok().label: each.ok() for each in found.get_all_operations()}
+    routes: list[Any] = list(found.get_all_operations())
+    return {each.ok().label: each.ok() for each in routes}
 
 
 @pytest.fixture(scope="module")
