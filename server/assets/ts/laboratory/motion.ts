@@ -21,7 +21,7 @@ export interface Moment {
 }
 
 export const NOTHING: Own = { polygon: null, velocities: null, accelerations: null, formulas: new Map() };
-const SAMPLES = 120; // steps of the curves
+const SAMPLES = 60; // steps of the curves
 
 export class Motion {
   readonly moments: Moment[];

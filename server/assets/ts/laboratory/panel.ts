@@ -11,7 +11,7 @@ import { Stage } from "./stage.ts";
 import type { Values } from "./tree.ts";
 import { decimals, filled, Numbers } from "./words.ts";
 
-const TABLE_STEP = 10; // samples between the rows of the table
+const TABLE_STEP = 5; // samples between the rows of the table
 const SILENCE = 800; // ms without change after which the note is spoken
 
 export class Panel {
@@ -28,6 +28,7 @@ export class Panel {
   private motion: Motion;
   private base: Motion; // with the data of the variant
   private speaking = 0;
+  private drawing = 0;
 
   constructor(bench: HTMLElement, form: HTMLFormElement) {
     this.bench = bench;
@@ -87,7 +88,9 @@ export class Panel {
     const tell = (slider: HTMLInputElement): void => {
       const value = Number(slider.value);
       const scale = this.given.get(slider.dataset["given"]!)!;
-      slider.parentElement!.querySelector("output")!.textContent = this.numbers.shown(value, decimals(scale, 3), slider.dataset["unit"]);
+      const said = this.numbers.shown(value, decimals(scale, 3), slider.dataset["unit"]);
+      slider.parentElement!.querySelector("output")!.textContent = said;
+      slider.setAttribute("aria-valuetext", said);
     };
     const put = (): void => {
       for (const slider of all) {
@@ -106,7 +109,8 @@ export class Panel {
       slider.addEventListener("input", () => {
         this.values.set(slider.dataset["given"]!, Number(slider.value));
         tell(slider);
-        this.changed();
+        cancelAnimationFrame(this.drawing);
+        this.drawing = requestAnimationFrame(() => this.changed()); // once a frame while a slider is dragged
       });
     }
     this.part("reset").addEventListener("click", () => {
@@ -139,7 +143,9 @@ export class Panel {
       this.part(`own-${at}`).textContent = this.numbers.shown(valueOf(moment, "position", axis), places, "m");
     });
     this.part("distance").textContent = this.numbers.shown(distance(moment), places, "m");
-    this.part("time-value").textContent = this.numbers.shown(t, decimals(this.machine.span, 3), "s");
+    const time = this.numbers.shown(t, decimals(this.machine.span, 3), "s");
+    this.part("time-value").textContent = time;
+    document.querySelector("#lab-t")!.setAttribute("aria-valuetext", time);
     const { axis } = this.machine.plotted[this.axis]!;
     this.plots.forEach((plot, at) => plot.point(t, valueOf(moment, KINDS[at]!, axis), plot.beneath(t)));
     this.observe(t);

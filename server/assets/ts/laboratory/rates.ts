@@ -36,7 +36,8 @@ const minus = (a: [number, number], b: [number, number]): [number, number] => [a
 
 /** Velocity of the end of the closing vectors: how it moves when the sought names change at their rates. */
 export function endVelocity(student: Student, values: Values, u: readonly number[], rates: readonly number[]): Point {
-  const at = (step: number): Point => student.end(values, u.map((value, k) => value + step * rates[k]!));
+  const all = new Map(values);
+  const at = (step: number): Point => student.end(all, u.map((value, k) => value + step * rates[k]!));
   const [up, down] = [at(STEP), at(-STEP)];
   return { x: (up.x - down.x) / (2 * STEP), y: (up.y - down.y) / (2 * STEP) };
 }
@@ -49,8 +50,9 @@ export function endAcceleration(
   rates: readonly number[],
   surges: readonly number[],
 ): Point {
+  const all = new Map(values);
   const at = (step: number): Point =>
-    student.end(values, u.map((value, k) => value + step * rates[k]! + (step * step * surges[k]!) / 2));
+    student.end(all, u.map((value, k) => value + step * rates[k]! + (step * step * surges[k]!) / 2));
   const [up, here, down] = [at(STEP), at(0), at(-STEP)];
   const second = (axis: "x" | "y"): number => (up[axis] - 2 * here[axis] + down[axis]) / STEP ** 2;
   return { x: second("x"), y: second("y") };

@@ -49,6 +49,13 @@ export class Student {
     return this.angles.has(name);
   }
 
+  /** The values with those of the sought names. */
+  with(values: Values, sought: readonly number[]): Values {
+    const all = new Map(values);
+    this.sought.forEach((name, at) => all.set(name, sought[at] ?? NaN));
+    return all;
+  }
+
   /** Solves the relations near a guess; null where they have no solution there. */
   solve(values: Values, guess: readonly number[]): Stance | null {
     const sought = this.newton(values, [...guess]);
@@ -64,9 +71,9 @@ export class Student {
     return found.sort((one, other) => far(one) - far(other))[0] ?? null;
   }
 
-  /** Where the closing vectors end, for values of the sought names. */
-  end(values: Values, sought: readonly number[]): Point {
-    const all = this.with(values, sought);
+  /** Where the closing vectors end, for values of the sought names, which are left in the map. */
+  end(all: Values, sought: readonly number[]): Point {
+    this.sought.forEach((name, at) => all.set(name, sought[at]!));
     const point = { x: 0, y: 0 };
     for (const { sign, length, angle } of this.closing) {
       const [l, a] = [sign * length(all), angle(all)];
@@ -74,12 +81,6 @@ export class Student {
       point.y += l * Math.sin(a);
     }
     return point;
-  }
-
-  with(values: Values, sought: readonly number[]): Values {
-    const all = new Map(values);
-    this.sought.forEach((name, at) => all.set(name, sought[at] ?? NaN));
-    return all;
   }
 
   private guesses(size: number): number[][] {
@@ -122,6 +123,7 @@ export class Student {
       this.sought.forEach((name, at) => all.set(name, u[at]!));
       const f = residual();
       if (!f.every(Number.isFinite)) return null;
+      if (Math.hypot(...f) < ENOUGH) return u;
       const columns = this.sought.map((name, at) => {
         all.set(name, u[at]! + STEP);
         const up = residual();
@@ -132,7 +134,7 @@ export class Student {
       });
       const step = columns.length === 2 ? linear(columns[0]!, columns[1]!, f) : [];
       if (step === null) return null;
-      if (Math.hypot(...f) < ENOUGH || step.length === 0) return u;
+      if (step.length === 0) return u;
       u = u.map((value, at) => value - step[at]!);
       if (step.every((part) => Math.abs(part) < 1e-12) && Math.hypot(...f) < 1e-9) return u;
     }
