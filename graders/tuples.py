@@ -15,6 +15,7 @@ from graders.language.tokens import MAX_LENGTH
 MAX_ITEMS = 24
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 NAMED = re.compile(r"[^\S\n]{0,20}([^\W\d]\w{0,20}'{0,2})[^\S\n]{0,20}=")
+AND = re.compile(r"(?<=[\s)\]}])(?:i|oraz|lub|albo|and|or|и|или)(?=[\s(\[{])")
 NOTHING = (
     "∅", "{}", "none", "no solution", "no solutions", "brak", "brak rozwiązań", "нет",
     "нет решений", "решений нет",
@@ -58,7 +59,7 @@ def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Pi
 def _items(text: str, width: int, names: Sequence[str]) -> list[list[Piece]]:
     if len(text) > MAX_LENGTH:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
-    whole = Piece(text, 0).bare
+    whole = Piece(AND.sub(lambda word: ";".ljust(len(word[0])), text), 0).bare
     if not whole.text:
         raise AnswerSyntaxError(Reason.EMPTY, 0)
     if whole.text.lower().rstrip(".") in NOTHING:

@@ -14,7 +14,7 @@ from graders.language.latex_reader import is_latex, through
 from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
-WHOLE = re.compile(r"\s*(?:(?:[^\W\d]\w{0,15}\s*)?[=≈]\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{0,9})?\s*")
+WHOLE = re.compile(r"\s*(?:[\w\s.+*/()·⋅×:^−–=-]{0,50}[=≈]\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{0,9})?\s*")
 LONG = 20
 FULL_WIDTH = {0xFF10 + figure: str(figure) for figure in range(10)}
 

@@ -251,10 +251,9 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     """Split a text into a constant expression and the unit behind it: tree, number, unit text and its place."""
     tokens = tokenize(text)
     start = 0
-    front = [token.kind for token in tokens[:2]]
-    if "=" in front and front[0] in ("name", "="):  # `R_A = 12 kN`, `= 12 kN`
-        start = tokens[front.index("=") + 1].position
-        tokens = tokens[front.index("=") + 1 :]
+    behind = _behind_equals(tokens)
+    if behind:
+        start, tokens = tokens[behind].position, tokens[behind:]
     cut = _unit_starts(tokens, len(text))
     number_text = text[start:cut]
     if not number_text.strip():
@@ -266,6 +265,19 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     if rest.startswith(("/", "∕", "÷")):
         return tree, number, "1" + rest, cut - 1
     return tree, number, rest, cut
+
+
+def _behind_equals(tokens: list[Token]) -> int:
+    """Find the value in `R_A = 12 kN`, `= 12 kN`, `cos(q3) = 0.7`, `R_A = 280/13 = 21.5 kN`; 0 where none is named."""
+    equals = [at for at, token in enumerate(tokens) if token.kind == "="]
+    first = tokens[0]
+    if not equals or first.kind not in ("name", "=", "|"):
+        return 0
+    called = first.kind == "|" or tokens[1].kind == "(" or function_named(first.text)
+    if equals[0] > 1 and not called:
+        return 0
+    last = equals[-1]
+    return last + 1 if last - 1 not in equals else equals[0] + 1
 
 
 def _computed(tree: Tree, place: int, typed: str) -> float:

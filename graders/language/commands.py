@@ -14,7 +14,8 @@ SIGNS = {
     "cdot": "*", "times": "*", "ast": "*", "bullet": "*", "div": "/", "colon": ":", "lt": "<", "gt": ">",
     "le": "<=", "leq": "<=", "leqslant": "<=", "ge": ">=", "geq": ">=", "geqslant": ">=", "degree": "°", "circ": "°",
     "prime": "'", "doubleprime": "''", "lbrack": "[", "rbrack": "]", "lparen": "(", "rparen": ")", "langle": "<",
-    "rangle": ">", "vert": "|", "lvert": "|", "rvert": "|", "mid": "|", "%": "%", "approx": "=",
+    "rangle": ">", "vert": "|", "lvert": "|", "rvert": "|", "mid": "|", "%": "%", "approx": "=", "sim": "=",
+    "simeq": "=", "cong": "=",
 }  # fmt: skip
 SPACES = frozenset((",", ";", ":", "!", " ", ">", "quad", "qquad", "thinspace", "enspace", "enskip", "displaystyle"))
 ACCENTS = {"dot": "_d", "ddot": "_dd"}
@@ -22,4 +23,4 @@ UPRIGHT = frozenset(
     ("mathrm", "mathit", "mathbf", "mathsf", "mathnormal", "text", "textrm", "textit", "operatorname", "operatorname*")
 )
 FENCES = frozenset(("left", "mleft", "bigl", "Bigl"))
-ENVIRONMENTS = frozenset(("bmatrix", "pmatrix", "matrix", "smallmatrix"))
+ENVIRONMENTS = frozenset(("array", "bmatrix", "pmatrix", "matrix", "smallmatrix"))

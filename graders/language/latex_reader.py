@@ -21,6 +21,7 @@ COMMAND = re.compile(r"\\(?:[A-Za-z]+\*?|.)", re.DOTALL)
 WORD = re.compile(r"[^\W\d_][^\W_]*")
 INDICES = re.compile(r"(\d{1,2})[,;](\d{1,2})")
 ENVIRONMENT = re.compile(r"\{([A-Za-z]{1,12})\}")
+COLUMNS = re.compile(r"\{[lcr| ]{0,40}\}")
 POWER_OF_TEN = re.compile(r"\^(?:\((-?\d{1,4})\)|(\d) )")
 LITERAL = re.compile(r"(?:^|[^\w./,^ ]) {0,9}\d[\d.,]{0,60}$")
 RIGHT = ("right", "mright", "bigr", "Bigr")
@@ -207,7 +208,7 @@ class _Reader:
         if not scripted:
             self.sheet.copy(run, place)
             return
-        if run.isalpha() and len(run) > 1:
+        if run.isalpha() and len(run) > 1 and run not in LETTERS:
             self.sheet.write_word(run[:-1], place)
             run, place = run[-1], place + len(run) - 1
         self.named(run, place)
@@ -323,6 +324,8 @@ class _Reader:
         closed = self.fence()
         if (opened + closed) not in ("()", "[]", "||", "<>"):
             raise self.error(Reason.EXTRA_BRACKET, closed, end)
+        if opened == "[" and inside.text.strip().startswith("([[") and inside.text.strip().endswith("]])"):
+            opened = "("  # the brackets of the matrix in them
         if opened in "|<":
             self.sheet.write_word("abs" if opened == "|" else "macaulay", place)
         self.sheet.write("[" if opened == "[" else "(", place)
@@ -361,6 +364,8 @@ class _Reader:
 
     def matrix(self, place: int) -> None:
         opened = self.environment()
+        columns = COLUMNS.match(self.latex, self.at) if opened == "array" else None
+        self.at = columns.end() if columns else self.at
         self.sheet.write("([[", place)
         while True:
             self.sequence("&", "\\", "end")

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from graders.language import plain
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.proposals import figure_behind, nearest_name, product
+from graders.language.proposals import INSTEAD, figure_behind, nearest_name, product
 from graders.language.symbols import DEGREES, FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key, latin
 from graders.language.tokens import CLOSING, Token, exponent_of, partners, tokenize
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary, order_exists
@@ -17,6 +17,7 @@ MAX_HEIGHT = 200  # terms and factors beside and within one another: what walks 
 MAX_MATRIX = 16
 ONE: Tree = Number("1")
 RELATIONS = ("=", "<", ">", "<=", ">=")
+BEHIND = ("^", "raised", "end", ")", "]", ";", ",", ">", "+", "-", "*", "/")  # a bracket such as <x - a>
 STARTS = ("number", "name", "(", "[", "√")
 
 
@@ -132,11 +133,11 @@ class _Parser:
         return kind in STARTS or (kind == "|" and not self.bars) or (kind == "<" and self.opens_bracket())
 
     def opens_bracket(self) -> bool:
-        """Tell `F<x - a>^1` from the relation `F < x`: only behind a bracket a power or nothing follows."""
+        """Tell `F<x - a>^1` from the relation `F < x`: only behind a bracket a power, a sign or nothing follows."""
         if self.closed is None:
             self.closed = partners(self.tokens)
         after = self.closed.get(self.at)
-        return after is not None and self.tokens[after + 1].kind in ("^", "raised", "end", ")", "]", ";", ",", ">")
+        return after is not None and self.tokens[after + 1].kind in BEHIND
 
     def refuse_doubt(self, tree: Tree, divided: Tree | None, token: Token) -> None:
         """`a/2b` may be (a/2)b or a/(2b): ask, unless a plain fraction of numbers stands in front."""
@@ -336,6 +337,8 @@ class _Parser:
             return self.error(Reason.UNKNOWN_NAME, token, product(pieces, self.tokens[self.at :]))
         if token.text == "e" and self.token.kind == "^":
             return self.error(Reason.UNKNOWN_NAME, token, "exp()")
+        if token.text in INSTEAD:
+            return self.error(Reason.UNKNOWN_NAME, token, INSTEAD[token.text])
         for place, char in enumerate(token.text):
             if char in LOOK_ALIKES and any(c.isascii() and c.isalpha() for c in token.text):
                 return AnswerSyntaxError(Reason.LOOK_ALIKE, token.position + place, char, LOOK_ALIKES[char])

@@ -9,6 +9,10 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import ALIASES, FUNCTIONS, Symbols, function_named, key
 from graders.language.tokens import Token
 
+INSTEAD = {
+    "sec": "1/cos()", "csc": "1/sin()", "cosec": "1/sin()", "½": "1/2", "⅓": "1/3", "⅔": "2/3", "¼": "1/4", "¾": "3/4",
+    "⅙": "1/6", "⅛": "1/8",
+}  # fmt: skip
 LONGEST = 24  # letters of a name for which a neighbour is looked for
 MOST = 400  # names looked at
 

@@ -62,7 +62,7 @@ raised   = [ "⁻" ] ( "⁰" … "⁹" ) { "⁰" … "⁹" } ;
 - Where a task declares a rate `x_d` (`x_dd`), `ẋ` (`ẍ`), `x'` (`x''`) and `x_dot` (`x_ddot`) mean it.
 - `a/2b` is asked about; `1/2 a` is half of a. `sin^-1 x` is asked about. `2 1/2` is asked about: a sum or a product?
 - A Macaulay bracket `<u>^n` is 0 before u = 0 and u^n behind; n is a whole number from 0, and -1 and -2 stand for a
-  force and a moment at a point. Behind a factor `F<x-a>^1` is a product.
+  force and a moment at a point. Behind a factor `F<x-a>^1` is a product, and so is `F<x-a>` in a sum.
 - `E`, `I`, `N`, `e`, `lambda`, `beta` are ordinary names where a task declares them.
 """
 

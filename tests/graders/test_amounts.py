@@ -29,6 +29,15 @@ def test_thousands_may_stand_apart(text: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    ["cos(q3) = 12", "cos q3 = 12", r"\cos\left(q_3\right)=12", "sigma = 24/2 = 12 MPa", "= 24/2 = 12", "|v| = 12",
+     "M(x) = 12", r"omega_2=12\,\mathrm{N\cdot mm^{-2}}"],
+)  # fmt: skip
+def test_what_stands_before_the_last_equals_sign_is_a_name_of_the_amount(text: str) -> None:
+    assert STRESS.parse(text, NOTHING).value == 12e6
+
+
+@pytest.mark.parametrize(
     ("text", "place"),
     [("== 12 MPa", 1), ("x y = 12", 0), ("sigma =", 7), ("12 Mpz", 3), ("R = 12 Mpz", 7), ("12 000 qq", 7)],
 )

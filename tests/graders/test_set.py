@@ -78,7 +78,15 @@ def test_a_lost_a_surplus_and_a_doubled_branch_are_told_apart(typed: str, found:
 
 
 @pytest.mark.parametrize(
-    "typed", ["12,5; 30; -4", "x1 = 12.5 mm, x2 = 3 cm, x3 = -0,004 m", "{-4; 12,5; 30}", "-4\n30\n12.5"]
+    "typed",
+    [
+        "12,5 mm i 30 mm oraz -4 mm",
+        "12,5 и 30 или -4",
+        "12,5; 30; -4",
+        "x1 = 12.5 mm, x2 = 3 cm, x3 = -0,004 m",
+        "{-4; 12,5; 30}",
+        "-4\n30\n12.5",
+    ],
 )
 def test_plain_numbers_make_a_set_too(typed: str) -> None:
     assert code(typed, ROOTS, LENGTHS) is Code.RIGHT

@@ -70,7 +70,7 @@ def test_what_may_mean_two_things_is_refused_at_its_place(typed: str, place: int
     assert refused.value.position == place
 
 
-@pytest.mark.parametrize("typed", ["４５", "45.", "= 45", "z ≈ 45", "z₃ = 45"])
+@pytest.mark.parametrize("typed", ["４５", "45.", "= 45", "z ≈ 45", "z₃ = 45", "3·20 − 15 = 45"])
 def test_a_whole_number_is_read_as_it_is_meant(typed: str) -> None:
     assert Integer().parse(typed, NOTHING) == 45
 

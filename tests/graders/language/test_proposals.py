@@ -41,6 +41,8 @@ letters = st.text("abc", max_size=6)
         ("qqqqqqqq", Reason.UNKNOWN_NAME, 0, "qqqqqqqq", ""),
         ("q" * 60, Reason.UNKNOWN_NAME, 0, "q" * 60, ""),
         ("e^x", Reason.UNKNOWN_NAME, 0, "e", "exp()"),
+        ("a*sec(x)", Reason.UNKNOWN_NAME, 2, "sec", "1/cos()"),
+        ("½*x", Reason.UNKNOWN_NAME, 0, "½", "1/2"),
         ("grad", Reason.UNKNOWN_NAME, 0, "grad", "°"),
         ("30*deg", Reason.UNKNOWN_NAME, 3, "deg", "°"),
         ("Вa", Reason.LOOK_ALIKE, 0, "В", "B"),
