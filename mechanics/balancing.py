@@ -13,6 +13,7 @@ from math import inf, pi
 from typing import Literal, TypeAlias
 
 from mechanics.checks import finite, positive
+from mechanics.linkage import principal
 
 Vector: TypeAlias = tuple[float, float, float]
 
@@ -108,7 +109,8 @@ def balance(masses: Sequence[PointMass], planes: Sequence[Plane]) -> Balance:
 
 def _left(masses: Sequence[PointMass], planes: Sequence[Plane], found: Sequence[complex]) -> Balance:
     corrections = tuple(
-        Correction(abs(D), abs(D) / plane.r, phase(D) if D else 0.0) for D, plane in zip(found, planes, strict=True)
+        Correction(abs(D), abs(D) / plane.r, principal(phase(D)) if D else 0.0)
+        for D, plane in zip(found, planes, strict=True)
     )
     force = sum((mass.unbalance for mass in masses), sum(found, 0j))
     moment = sum((mass.x * mass.unbalance for mass in masses), 0j)

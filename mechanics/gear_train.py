@@ -41,7 +41,8 @@ class Mesh:
         count(f"za of the mesh {self.a}-{self.b}", self.za)
         count(f"zb of the mesh {self.a}-{self.b}", self.zb)
         if len({self.a, self.b, self.carrier}) < 3:
-            raise ValueError(f"the mesh {self.a}-{self.b} on {self.carrier} names a member twice")
+            on = "" if self.carrier is None else f" on {self.carrier}"
+            raise ValueError(f"the mesh {self.a}-{self.b}{on} names a member twice")
 
     def terms(self) -> tuple[tuple[str, int], ...]:
         """Members and their multiples in Willis's equation of the mesh, whose sum is zero."""

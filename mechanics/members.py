@@ -123,7 +123,7 @@ def _check_supports(beam: Beam) -> None:
         place("support", x, beam.L)
     for left, right in pairwise(places):
         if right - left < CLOSE * beam.L:
-            raise ValueError(f"supports at x = {left} m and {right} m must be at least {CLOSE * beam.L} m apart")
+            raise ValueError(f"supports at x = {left} m and {right} m must be at least {CLOSE * beam.L:g} m apart")
 
 
 def _check_hinges(beam: Beam) -> None:

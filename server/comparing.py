@@ -11,10 +11,11 @@ from graders import comparison
 from graders.comparison.outcome import Verdict
 from mechanics.wire import reading
 from mechanics.wire.refusal import Refusal
-from mechanics.wire.solvers import identified, without_id
+from mechanics.wire.solvers import without_id
 from server.bench import Tools
 from server.errors import Failure, Refused
 from server.reader import admit
+from server.solving import identified
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["solvers"])
 TEXTS = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}

@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.responses import JSONResponse, RedirectResponse, Response
 
-from server import language, templating
+from server import language, templating, typed
 from server.storage import KeyReused, StorageUnavailable, UnknownVariant
 
 RETRY_AFTER = 2  # seconds; the store is usually back by then
@@ -52,8 +52,9 @@ class Refused(HTTPException):
         opens: str | None = None, headers: Mapping[str, str] | None = None, said: str | None = None, **values: object,
     ) -> None:  # fmt: skip
         super().__init__(status, code, dict(headers or {}))
-        self.said = said
-        self.code, self.field, self.position, self.opens, self.values = code, field, position, opens, values
+        self.said = said and typed.sendable(said)
+        self.field = field and typed.sendable(field)
+        self.code, self.position, self.opens, self.values = code, position, opens, values
 
 
 def install(app: FastAPI) -> None:

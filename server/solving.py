@@ -12,6 +12,7 @@ from mechanics.wire import reading, solvers
 from mechanics.wire.refusal import Refusal
 from server.errors import Failure, Refused
 from server.reader import admit
+from server.typed import sendable
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["solvers"])
 BODY = {"required": True, "content": {"application/json": {"schema": {"type": "object"}}}}
@@ -61,5 +62,17 @@ async def solve(solver: str, request: Request) -> dict[str, Any]:
 def _solved(solver: str, raw: bytes) -> dict[str, Any]:
     solvers.load(solver)
     request = reading.read(raw)
-    identity = solvers.identified(request)
+    identity = identified(request)
     return {**identity, **solvers.solve(solver, solvers.without_id(request))}
+
+
+def identified(request: dict[str, Any]) -> dict[str, Any]:
+    """Give the `id` of a request as it goes back.
+
+    Raises:
+        Refusal: `wrong_type`, `not_finite` or `out_of_range`; the last also for a text with half a character.
+    """
+    found = solvers.identified(request)
+    if isinstance(text := found.get("id"), str) and sendable(text) != text:
+        raise Refusal("out_of_range", "id holds half a character, which cannot be sent back", "id")
+    return found

@@ -17,4 +17,9 @@ def _whole(text: str) -> str:
     return text
 
 
+def sendable(text: str) -> str:
+    """Give a foreign text with a question mark for each half of a character: only whole ones can be sent back."""
+    return text.encode(errors="replace").decode()
+
+
 Typed: TypeAlias = Annotated[StrictStr, AfterValidator(_whole)]

@@ -148,6 +148,8 @@ class Text:
             raise _wrong(place, value, "a text")
         if not 0 < len(value) <= self.most:
             raise Refusal("out_of_range", f"{place} must have 1 to {self.most} characters, not {len(value)}", place)
+        if not value.isprintable():  # control characters, half a character: could not be shown in an answer
+            raise Refusal("out_of_range", f"{place} = {shown(value)} must have characters that can be shown", place)
         return value
 
     def schema(self) -> dict[str, Any]:

@@ -149,7 +149,7 @@ ANSWER = {
     "pos": "positions by name (m; rad in (-pi, pi]): alpha2, slider_x, S_x, S_y (slider_crank); alpha2, alpha3, P_x, "
     "P_y (four_bar); phi, s, P_x, P_y (inverted_slider); beta = angle ACB, alpha = angle BAC, B_x, B_y "
     "(variable_length_link); p_x, p_y (manipulator); those of four_bar and alpha5, alpha6, Q_x, Q_y (six_bar); alpha2, "
-    "alpha3, alpha5, s6 (two_loop); gamma2 (hooke_joint); phi (geneva)",
+    "alpha3, alpha5, s6 (two_loop); gamma2 (hooke_joint: not reduced, in the half-turn of gamma1); phi (geneva)",
     "vel": "velocities by the same names, m/s, rad/s",
     "acc": "accelerations by the same names, m/s^2, rad/s^2",
     "singular": "{measure, name}: 0 in the dead position of that name, 1 farthest from it",

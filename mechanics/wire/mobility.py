@@ -12,6 +12,7 @@ from mechanics.wire.refusal import Refusal
 
 FARTHEST = 1e6  # m
 PLANAR_LINKS, SPATIAL_LINKS = 24, 12  # with the frame
+PAIRS = 2 * PLANAR_LINKS
 
 
 def _vector(doc: str, unit: str, size: int) -> ListOf:
@@ -28,7 +29,7 @@ REQUEST = Tagged(
             {
                 "links": ListOf('all links, the frame "0" among them', Text(""), least=1, most=PLANAR_LINKS),
                 "joints": ListOf(
-                    "joints; one that names n links counts n - 1 pairs",
+                    f"joints; one that names n links counts n - 1 pairs, of which there are at most {PAIRS}",
                     Record(
                         "",
                         {
@@ -38,7 +39,7 @@ REQUEST = Tagged(
                             "dir": _vector("guide of P, common normal of H", "", 2),
                         },
                     ),
-                    most=2 * PLANAR_LINKS,
+                    most=PAIRS,
                 ),
             },
         ),
@@ -75,7 +76,7 @@ REQUEST = Tagged(
 
 ANSWER = {
     "N_moving": "moving links",
-    **{f"p{klass}": f"pairs of class {klass}, which remove {klass} freedoms; only where there are any"
+    **{f"p{klass}": f"pairs of class {klass}, which remove {klass} of the six freedoms; only where there are any"
        for klass in (5, 4, 3, 2, 1)},
     "F_formula": "mobility by the formula",
     "independent_loops": "pairs - all links + 1",
@@ -101,6 +102,7 @@ EXAMPLE = {
 def solve(request: Mapping[str, Any]) -> dict[str, Any]:
     """Count the mobility; raises ValueError."""
     if request["kind"] == "planar":
+        _require_few(request["joints"])
         joints = [Joint(one["type"], one["links"], one["at"], one["dir"]) for one in request["joints"]]
         return _answer(plane(request["links"], joints))
     moving, kinds = request["N_moving"], request["joints"]
@@ -111,6 +113,12 @@ def solve(request: Mapping[str, Any]) -> dict[str, Any]:
         classes = {klass: count for klass in CLASSES.values() if (count := sum(CLASSES[k] == klass for k in kinds))}
         return _answer(Mobility(moving, classes, spatial_mobility(moving, classes), len(kinds) - moving))
     return _answer(_drawn(moving, kinds, request["axes"]))
+
+
+def _require_few(joints: tuple[Mapping[str, Any], ...]) -> None:
+    pairs = sum(len(one["links"]) - 1 for one in joints)
+    if pairs > PAIRS:
+        raise Refusal("out_of_range", f"the joints count {pairs} pairs; there are at most {PAIRS}", "joints")
 
 
 def _drawn(moving: int, kinds: tuple[str, ...], axes: tuple[Mapping[str, Any], ...]) -> Mobility:

@@ -7,6 +7,7 @@ the field is known by name.
 from __future__ import annotations
 
 import json
+from collections import Counter
 from typing import Any
 
 from mechanics.wire.refusal import Refusal, below, shown
@@ -82,8 +83,8 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) == len(pairs):
         return found
-    names = [name for name, _ in pairs]
-    return Repeated(found, next(name for at, name in enumerate(names) if name in names[:at]))
+    times = Counter(name for name, _ in pairs)
+    return Repeated(found, next(name for name in found if times[name] > 1))
 
 
 def _whole(text: str) -> int | float:

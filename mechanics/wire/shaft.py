@@ -45,7 +45,8 @@ ANSWER = {
     "phi": "[{x, phi}] at the breakpoints, rad; zero at the fixed end, at the left end of a free shaft",
     "T_abs_max": "largest |T|, N m",
     "tau_abs_max": "largest shear stress, Pa",
-    "design": "{D_strength, D_stiffness, D_required} of a uniform shaft, m; null without an allowable value",
+    "design": "{D_strength, D_stiffness, D_required} of a uniform shaft under the same torques, m, which between two "
+    "fixed ends shares them by lengths; null without an allowable value",
 }
 
 EXAMPLE = {

@@ -55,6 +55,11 @@ def test_a_disc_of_the_domain_in_one_plane() -> None:
     assert not found.static and opposite(radians(25)) == pytest.approx(radians(205 - 360))
 
 
+def test_a_correction_straight_across_is_at_pi() -> None:
+    """The angle of a correction is in (-pi, pi]: -pi, which a negative zero would give, is none."""
+    assert balance([PointMass(1, 0.1, 0.0)], [Plane(0, 0.1)]).corrections[0].angle == pi
+
+
 @given(masses, st.floats(-100, 100), st.floats(-5, 5))
 def test_the_bearings_feel_the_inertia_forces_of_the_turning_masses(
     rotor: list[PointMass], omega: float, turn: float

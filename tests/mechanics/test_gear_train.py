@@ -233,7 +233,7 @@ def test_names_that_do_not_fit_are_refused(changes: dict[str, object], message: 
         (lambda: Mesh("1", "2", 0, 20), "za of the mesh 1-2 = 0"),
         (lambda: Mesh("1", "2", 20, 20.5), "zb of the mesh 1-2 = 20.5"),  # type: ignore[arg-type]
         (lambda: Mesh("1", "2", 20, 20, "bevel"), "mesh type 'bevel'"),  # type: ignore[arg-type]
-        (lambda: Mesh("1", "1", 20, 20), "a member twice"),
+        (lambda: Mesh("1", "1", 20, 20), "the mesh 1-1 names a member twice"),
         (lambda: Mesh("1", "2", 20, 20, "external", "2"), "a member twice"),
         (lambda: Differential("1", "2", "1"), "a member twice"),
         (lambda: Rack("1", 20, 0.0), "module_mm"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
@@ -15,8 +16,8 @@ REQUEST = {"kind": "equation", "a": "x = a", "b": "x = 2*a", "solve_for": "x", "
 
 
 def posted(client: TestClient, body: Any) -> tuple[int, Any]:
-    given = {"content": body} if isinstance(body, bytes) else {"json": body}
-    reply = client.post("/api/v1/compare", headers=bearer("lecturer"), **given)
+    given = body if isinstance(body, bytes) else json.dumps(body).encode()
+    reply = client.post("/api/v1/compare", headers=bearer("lecturer"), content=given)
     return reply.status_code, reply.json()
 
 
@@ -38,6 +39,8 @@ def test_only_lecturers_may_compare(client: TestClient, headers: dict[str, str],
     ("body", "status", "code", "field"),
     [
         ({**REQUEST, "bogus": 1}, 422, "unknown_field", "bogus"),
+        ({**REQUEST, "\ud800": 1}, 422, "unknown_field", "?"),
+        ({**REQUEST, "id": "\ud800"}, 422, "out_of_range", "id"),
         ({**REQUEST, "kind": "formula"}, 422, "unknown_kind", "kind"),
         ({**REQUEST, "vars": {"x": [2, 0]}}, 422, "out_of_range", "vars.x"),
         (b'{"kind": "expression", "a": "1", "a": "2"}', 422, "repeated_field", "a"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
@@ -19,8 +20,8 @@ def bearer(role: str) -> dict[str, str]:
 
 
 def posted(client: TestClient, body: Any, solver: str = "beam", **headers: str) -> tuple[int, Any]:
-    given = {"content": body} if isinstance(body, bytes) else {"json": body}
-    reply = client.post(f"/api/v1/solve/{solver}", headers={**bearer("lecturer"), **headers}, **given)
+    given = body if isinstance(body, bytes) else json.dumps(body).encode()
+    reply = client.post(f"/api/v1/solve/{solver}", headers={**bearer("lecturer"), **headers}, content=given)
     return reply.status_code, reply.json()
 
 
@@ -44,6 +45,8 @@ def test_only_lecturers_may_solve(client: TestClient, headers: dict[str, str], s
         ({**EXAMPLE, "I": 1e-6}, 422, "contradictory", "I"),
         ({**EXAMPLE, "supports": []}, 422, "unstable", None),
         ({**EXAMPLE, "bogus": 1}, 422, "unknown_field", "bogus"),
+        ({**EXAMPLE, "id": "\ud800"}, 422, "out_of_range", "id"),
+        (b'{"\\ud800": 1, "\\ud800": 1}', 422, "repeated_field", "\ufffd"),
         (b'{"L": NaN}', 422, "not_finite", "L"),
         (b'{"L": 1, "L": 2}', 422, "repeated_field", "L"),
         (b"{", 422, "bad_json", None),

@@ -53,6 +53,8 @@ def refused(kind: Kind, value: Any) -> tuple[str, str]:
         (Text(""), 1, "wrong_type"),
         (Text(""), "", "out_of_range"),
         (Text(""), "a" * 65, "out_of_range"),
+        (Text(""), "a\n", "out_of_range"),
+        (Text(""), "\ud800", "out_of_range"),
         (Choice("", ("a", "b")), "c", "out_of_range"),
         (Choice("", ("a", "b")), ["a"], "wrong_type"),
         (ListOf("", LENGTH), {"0": 1}, "wrong_type"),

@@ -17,6 +17,7 @@ from tests.mechanics.wire.test_solvers import answered
 
 PLANETARY = dict(solvers.load("gear_train").EXAMPLE)
 THREE_CRANKS = dict(solvers.load("mobility").EXAMPLE)
+MEETING = {"type": "R", "links": ["0", "1", "2", "3"]}
 ROTOR = dict(solvers.load("balance").EXAMPLE)
 MACHINE = dict(solvers.load("vibration").EXAMPLE)
 FOUR_BAR = {
@@ -138,6 +139,7 @@ def test_the_contract_s_machine_answers_as_the_complex_response() -> None:
         ("gear_train", {**PLANETARY, "fixed": ["7"]}, "out_of_range", "fixed names 7"),
         ("mobility", {**THREE_CRANKS, "links": ["0", "1", "2", "3", "4", "5"]}, "out_of_range", "link '5'"),
         ("mobility", {**THREE_CRANKS, "links": ["1", "2"]}, "out_of_range", "frame"),
+        ("mobility", {**THREE_CRANKS, "joints": [MEETING] * 17}, "out_of_range", "51 pairs"),
         ("mobility", {"kind": "spatial", "N_moving": 3, "joints": ["R"]}, "out_of_range", "do not connect"),
         ("mobility", {"kind": "spatial", "N_moving": 1, "joints": ["R"], "axes": []}, "contradictory", "0 axes"),
         ("mobility", {"kind": "spatial", "N_moving": 12, "joints": ["R"] * 12, "axes": AXES[:1] * 12}, "out_of_range",

@@ -104,6 +104,7 @@ def test_extreme_numbers_are_answered_or_refused(name: str) -> None:
         (b"[" * 60000, "bad_json"),
         (b'{"a":' * 10000, "bad_json"),
         (b'{"L": 1, "L": 2}', "repeated_field"),
+        (b"{" + b"".join(b'"%d":1,' % name for name in range(5900)) + b'"5899":2}', "repeated_field"),
         (b'{"x": "' + b"a" * 70000 + b'"}', "too_large"),
         (b'{"L": 1e999}', "not_finite"),
         (b'{"L": ' + b"9" * 60000 + b"}", "not_finite"),
