@@ -42,10 +42,13 @@ from server.judging import Judging, JudgingThread
 from server.limits import Limiter
 from server.passwords import Passwords
 from server.reader import admit
+from server.sets import api as task_sets
+from server.sets import handing
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
+COLLECT = 20.0  # s between two looks for examinations that are over
 PURGE = 24 * 3600.0  # s between two purges
 ROUTERS = (
     health.router,
@@ -65,6 +68,7 @@ ROUTERS = (
     signin_pages.router,
     account_pages.router,
     course_pages.router,
+    task_sets.router,
 )
 log = logging.getLogger("grubler")
 
@@ -124,12 +128,14 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))
+    collecting = asyncio.create_task(_collect(app.state.bench))
     try:
         yield
     finally:
-        purging.cancel()
-        with suppress(asyncio.CancelledError):
-            await purging
+        for task in (purging, collecting):
+            task.cancel()
+            with suppress(asyncio.CancelledError):
+                await task
         judging.close()
         passwords.close()
         database.close()
@@ -139,6 +145,16 @@ async def _purge_daily(storage: Storage) -> None:
     while True:
         await asyncio.sleep(PURGE)
         await _purge(storage)
+
+
+async def _collect(bench: Bench) -> None:
+    """Take the last drafts of examinations whose time has run out."""
+    while True:
+        await asyncio.sleep(COLLECT)
+        try:
+            await handing.collect(bench, datetime.now(UTC))
+        except StorageUnavailable as error:
+            log.warning("drafts of examinations wait: %s", error)
 
 
 async def _purge(storage: Storage) -> None:

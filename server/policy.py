@@ -50,6 +50,8 @@ class InCourse:
 Policy: TypeAlias = Role | InCourse
 COURSE_STUDENT, COURSE_ASSISTANT, COURSE_LECTURER = map(InCourse, CourseRole)
 
+SET_STUDENT, SET_ASSISTANT, SET_LECTURER = (InCourse(role, "task_set") for role in CourseRole)
+
 POLICIES: dict[tuple[str, str], Policy] = {
     ("GET", "/health"): Role.ANONYMOUS,
     ("GET", "/ready"): Role.ANONYMOUS,
@@ -125,6 +127,19 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/courses/{course}/members/{person}"): COURSE_LECTURER,
     ("POST", "/courses/{course}/members/{person}/link"): COURSE_LECTURER,
     ("POST", "/courses/{course}/roster"): COURSE_LECTURER,
+    ("POST", "/api/v1/task-sets"): Role.STUDENT,
+    ("GET", "/api/v1/courses/{course}/task-sets"): COURSE_STUDENT,
+    ("POST", "/api/v1/courses/{course}/extend"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/copy"): COURSE_LECTURER,
+    ("GET", "/api/v1/task-sets/{task_set}"): SET_STUDENT,
+    ("PATCH", "/api/v1/task-sets/{task_set}"): SET_LECTURER,
+    ("POST", "/api/v1/task-sets/{task_set}/open"): SET_LECTURER,
+    ("POST", "/api/v1/task-sets/{task_set}/items/{number}/variant"): SET_STUDENT,
+    ("GET", "/api/v1/task-sets/{task_set}/accommodations"): SET_ASSISTANT,
+    ("PUT", "/api/v1/task-sets/{task_set}/accommodations/{person}"): SET_LECTURER,
+    ("POST", "/api/v1/task-sets/{task_set}/extend"): SET_LECTURER,
+    ("POST", "/api/v1/task-sets/{task_set}/copy"): SET_LECTURER,
+    ("GET", "/api/v1/task-sets/{task_set}/items/{number}/sheets.{form}"): SET_LECTURER,
     ("GET", "/static"): Role.ANONYMOUS,
 }
 

@@ -80,13 +80,17 @@ async def admit(request: Request, bench: Tools) -> Reader:
     if request.method not in SAFE and bench.settings.limited:
         _take_turn(request, bench, reader.owner)
     if isinstance(needed, InCourse):
-        reader = await _in_course(bench, reader, needed, request.path_params[needed.by])
+        reader = await in_course(bench, reader, needed, request.path_params[needed.by])
     request.state.reader = reader
     return reader
 
 
-async def _in_course(bench: Bench, reader: Reader, needed: InCourse, number: str) -> Reader:
-    """Find the course and the reader's role in it; those outside cannot tell a course from none."""
+async def in_course(bench: Bench, reader: Reader, needed: InCourse, number: str) -> Reader:
+    """Find the course and the reader's role in it; those outside cannot tell a course from none.
+
+    Raises:
+        Refused: 404, no such course here; 403, the role there does not suffice.
+    """
     found = await COURSES[needed.by](bench, number) if ids.known(number) else None
     course = await bench.courses.course(found) if found else None
     role = await _role(bench, reader, course) if course else None

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from functools import lru_cache
 
 from exercises import verifying
-from exercises.exercise import Grade, Submission
+from exercises.exercise import Grade, Submission, Variant
 from exercises.grading import UnknownAnswer
 from exercises.variants import restore
 from graders import Code
@@ -140,8 +140,16 @@ async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bo
 
 def reproduced(card: Card) -> bool:
     """Tell whether the installed exercise still leads to what was kept; else the card needs a regrade."""
-    stored = {"exercise": card.exercise, "version": card.version, "seed": card.seed, "givens": card.givens}
-    return _reproduced(json.dumps(stored, sort_keys=True), json.dumps(card.reference, sort_keys=True))
+    return _reproduced(json.dumps(_stored(card), sort_keys=True), json.dumps(card.reference, sort_keys=True))
+
+
+def variant_of(card: Card) -> Variant:
+    """Build the variant of a card."""
+    return restore(_stored(card))
+
+
+def _stored(card: Card) -> dict[str, object]:
+    return {"exercise": card.exercise, "version": card.version, "seed": card.seed, "givens": card.givens}
 
 
 @lru_cache(maxsize=1024)
@@ -194,8 +202,7 @@ def _over(place: Place, typed: datetime, now: datetime) -> bool:
 async def _take(bench: Bench, place: Place, draft: Waiting) -> None:
     """Hand in a draft with the time at which it was last typed; what can be read is judged, whatever stands beside."""
     card = place.card
-    stored = {"exercise": card.exercise, "version": card.version, "seed": card.seed, "givens": card.givens}
-    grade = await judge(bench, place, Submission(restore(stored), receipts.whole(draft.answers)), whole=True)
+    grade = await judge(bench, place, Submission(variant_of(card), receipts.whole(draft.answers)), whole=True)
     key = f"time-out {draft.time.isoformat()}"
     handed = receipts.handed(draft.variant, draft.person, draft.answers, key, key, DEFAULT, draft.time)
     await keep(bench, place, receipts.marked(handed, grade, card.code))

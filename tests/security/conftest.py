@@ -17,6 +17,7 @@ from server.app import create_app
 from server.migrate import migrate
 from server.settings import Settings
 from tests.server.school import School, opened
+from tests.server.sets.conftest import Course, made
 
 Attack = Callable[..., Verdict]
 VARIANT = deal("slider_crank", 7)
@@ -35,6 +36,14 @@ def attack() -> Attack:
         return verdict
 
     return handed_in
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
+    """A course whose lecturer builds sets."""
+    settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
+    migrate(settings.store_url)
+    yield from made(settings)
 
 
 @pytest.fixture

@@ -1,0 +1,247 @@
+"""Task sets for programs: building, opening, the student's own variants, more time, copies, sheets."""
+
+from __future__ import annotations
+
+import asyncio
+from datetime import UTC, datetime
+from typing import Annotated, Any, Literal
+
+from fastapi import APIRouter, Depends, Path, Query, Response
+
+from reports import formats, sheets
+from server.bench import Bench, Tools
+from server.courses import HERE, ShownCourse, here, start
+from server.errors import Failure, Refused
+from server.policy import COURSE_LECTURER, CourseRole
+from server.reader import COURSES, Asking, Reader, admit, in_course
+from server.sets import building, handing, publishing
+from server.sets.building import Draft
+from server.sets.publishing import Troubled
+from server.sets.shapes import (
+    ChangedTaskSet,
+    Copied,
+    CopiedCourse,
+    GivenTime,
+    Later,
+    ListedTaskSet,
+    MoreTime,
+    MyTaskSet,
+    NewCard,
+    NewTaskSet,
+    ShownTaskSet,
+    listed_set,
+    my_set,
+    shown_set,
+)
+from server.sets.standing import final, standing
+from server.sets.wording import said
+from server.storage.sets import NotADraft, Slot, TaskSet
+from server.variants import ShownVariant, shown, visible
+
+router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["task sets"])
+FROZEN: dict[int | str, dict[str, Any]] = HERE | {409: {"model": Failure}}
+Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
+
+
+async def _course_of(bench: Bench, number: str) -> str | None:
+    found = await bench.sets.task_set(number)
+    return found.course if found else None
+
+
+COURSES["task_set"] = _course_of
+
+
+@router.post("/task-sets", status_code=201, responses=HERE)
+async def add_set(body: NewTaskSet, bench: Tools, reader: Asking) -> ShownTaskSet:
+    """Start a set as a draft, in a course that one lectures."""
+    place = await in_course(bench, reader, COURSE_LECTURER, body.course)
+    draft = Draft.model_validate({name: getattr(body, name) for name in Draft.model_fields})
+    return shown_set(await building.add(bench, here(place).course, draft))
+
+
+@router.get("/courses/{course}/task-sets", responses=HERE)
+async def list_sets(course: str, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
+    """List the sets of a course, the newest first; students see the published ones."""
+    found = await listed(bench, reader)
+    return [listed_set(one) for one in found]
+
+
+@router.get("/task-sets/{task_set}", responses=HERE)
+async def show_set(task_set: str, bench: Tools, reader: Asking) -> ShownTaskSet | MyTaskSet:
+    """Show a set: to those who teach it as it was built, to a student as it stands for that student."""
+    found = await set_of(bench, reader, task_set)
+    if here(reader).role >= CourseRole.ASSISTANT:
+        return shown_set(found)
+    assert reader.person is not None
+    now = datetime.now(UTC)
+    return my_set(await standing(bench, found, reader.person.id, now), await final(bench, found, reader.person.id, now))
+
+
+@router.patch("/task-sets/{task_set}", responses=FROZEN)
+async def change_set(task_set: str, body: ChangedTaskSet, bench: Tools, reader: Asking) -> ShownTaskSet:
+    """Change a draft. A published set is frozen."""
+    old, course = await set_of(bench, reader, task_set), here(reader).course
+    changes = {name: getattr(body, name) for name in body.model_fields_set - {"revision"}}
+    for name in ("title", "items", "rules"):
+        if changes.get(name, "") is None:
+            raise Refused(422, "wrong_type", field=name, name=name)
+    draft = building.merged(building.draft_of(old), changes)
+    return shown_set(await building.change(bench, old, course, draft, body.revision))
+
+
+@router.post("/task-sets/{task_set}/open", responses=FROZEN)
+async def open_set(task_set: str, bench: Tools, reader: Asking) -> ShownTaskSet:
+    """Publish a draft: every card that will be dealt is drawn and checked now, then the set is frozen.
+
+    Students may work from the moment at which it opens.
+    """
+    return shown_set(await published(bench, reader, await set_of(bench, reader, task_set)))
+
+
+@router.post(
+    "/task-sets/{task_set}/items/{number}/variant", responses=HERE | {410: {"model": Failure}, 503: {"model": Failure}}
+)
+async def open_item(
+    task_set: str, number: Number, bench: Tools, reader: Asking, body: NewCard | None = None
+) -> ShownVariant:
+    """Give one's own variant of a task; the first time it is dealt, later it is the same one."""
+    found = await set_of(bench, reader, task_set)
+    variant = await own_variant(bench, reader, found, slot_of(found, number), bool(body and body.another))
+    return await shown(bench, await visible(bench, reader, variant), reader.language)
+
+
+@router.get("/task-sets/{task_set}/accommodations", responses=HERE)
+async def list_accommodations(task_set: str, bench: Tools, reader: Asking) -> list[GivenTime]:
+    """List who has more time."""
+    found = await bench.sets.accommodations(task_set)
+    return [GivenTime(person=person, minutes=given[0], reason=given[1]) for person, given in sorted(found.items())]
+
+
+@router.put("/task-sets/{task_set}/accommodations/{person}", responses=HERE)
+async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> GivenTime:
+    """Give a student more time; it moves the deadlines and the time limit, also of work under way."""
+    if await bench.courses.role(here(reader).course.id, person) != "student":
+        raise Refused(404, "unknown_member")
+    await bench.sets.accommodate(task_set, person, body.minutes, body.reason)
+    return GivenTime(person=person, minutes=body.minutes, reason=body.reason)
+
+
+@router.post("/task-sets/{task_set}/extend", responses=HERE)
+async def extend_set(task_set: str, body: Later, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
+    """Move the deadlines of a set, unless it has closed; gives what was moved."""
+    return await _extended(bench, [await set_of(bench, reader, task_set)], body.minutes)
+
+
+@router.post("/courses/{course}/extend", responses=HERE)
+async def extend_course(course: str, body: Later, bench: Tools) -> list[ListedTaskSet]:
+    """Move all open deadlines of a course; gives the sets that were moved."""
+    return await _extended(bench, list(await bench.sets.of(course)), body.minutes)
+
+
+async def _extended(bench: Bench, sets: list[TaskSet], minutes: int) -> list[ListedTaskSet]:
+    moved = await building.extend(bench, sets, minutes, datetime.now(UTC))
+    return [listed_set(one) for one in moved]
+
+
+@router.post("/task-sets/{task_set}/copy", status_code=201, responses=HERE)
+async def copy_set(task_set: str, body: Copied, bench: Tools, reader: Asking) -> ShownTaskSet:
+    """Copy a set as a draft, with its dates moved by whole days."""
+    found = await set_of(bench, reader, task_set)
+    return shown_set(await building.copy(bench, found, here(reader).course, body.days))
+
+
+@router.post("/courses/{course}/copy", status_code=201, responses=HERE)
+async def copy_course(course: str, body: CopiedCourse, bench: Tools, reader: Asking) -> ShownCourse:
+    """Start a course with copies of all sets of another, their dates moved by whole days; nobody comes along."""
+    old = here(reader).course
+    new = await start(bench, reader, body.title, old.language, old.time_zone)
+    for task_set in reversed(await bench.sets.of(course)):
+        await building.copy(bench, task_set, new, body.days)
+    return ShownCourse(
+        id=new.id, title=new.title, language=new.language, time_zone=new.time_zone, role="lecturer",
+        join_code=new.join_code,
+    )  # fmt: skip
+
+
+@router.get(
+    "/task-sets/{task_set}/items/{number}/sheets.{form}",
+    response_class=Response,
+    responses=HERE | {200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
+)
+async def print_sheets(
+    task_set: str, number: Number, form: Literal["pdf", "docx", "typ", "md"], bench: Tools, reader: Asking,
+    key: Annotated[bool, Query()] = False, most: Annotated[int, Query(ge=1, le=1000)] = 1000,
+) -> Response:  # fmt: skip
+    """Print the cards of a task, one sheet a card; or their key, for lecturers only."""
+    found = await set_of(bench, reader, task_set)
+    slot = slot_of(found, number)
+    cards = [card for card in await bench.sets.deck(found.id) if card.slot == slot.id][:most]
+    if not cards:
+        raise Refused(409, "set_is_draft")
+    dealt = [(card.code, handing.variant_of(card)) for card in cards]
+    made = await bench.judging.run(sheets.key if key else sheets.sheets, dealt, reader.language)
+    content = await asyncio.to_thread(formats.written, made, form)
+    attached = {"Content-Disposition": f'attachment; filename="{"key" if key else "sheets"}-{number}.{form}"'}
+    return Response(content, media_type=formats.MEDIA[form], headers=attached)
+
+
+async def set_of(bench: Bench, reader: Reader, number: str) -> TaskSet:
+    """Give a set; a draft is there for those alone who teach it.
+
+    Raises:
+        Refused: 404, there is none.
+    """
+    found = await bench.sets.task_set(number)
+    if found is None or (found.published is None and here(reader).role < CourseRole.ASSISTANT):
+        raise Refused(404, "unknown_set")
+    return found
+
+
+async def listed(bench: Bench, reader: Reader) -> list[TaskSet]:
+    """List the sets of the course of an address that the reader may see."""
+    staff = here(reader).role >= CourseRole.ASSISTANT
+    return [one for one in await bench.sets.of(here(reader).course.id) if staff or one.published]
+
+
+def slot_of(task_set: TaskSet, number: int) -> Slot:
+    """Give a place in a set by its number.
+
+    Raises:
+        Refused: 404, there is none.
+    """
+    if not 1 <= number <= len(task_set.slots):
+        raise Refused(404, "unknown_item")
+    return task_set.slots[number - 1]
+
+
+async def published(bench: Bench, reader: Reader, task_set: TaskSet) -> TaskSet:
+    """Publish a draft.
+
+    Raises:
+        Refused: 409, it is published already or was changed meanwhile; 422, why it cannot be published.
+    """
+    if task_set.published:
+        raise Refused(409, "set_frozen")
+    try:
+        return await publishing.publish(bench, task_set)
+    except NotADraft:
+        raise Refused(409, "set_changed") from None
+    except Troubled as error:
+        trouble = error.troubles[0]
+        field = f"items.{trouble.slot}" if trouble.slot else "items"
+        raise Refused(422, "set_troubled", field=field, said=said(reader.language, trouble)) from None
+
+
+async def own_variant(bench: Bench, reader: Reader, task_set: TaskSet, slot: Slot, another: bool) -> str:
+    """Give the number of a student's own variant of a task.
+
+    Raises:
+        Refused: 403, the reader teaches here, or the set is not open.
+    """
+    if here(reader).role is not CourseRole.STUDENT or reader.person is None:
+        raise Refused(403, "students_only")
+    card = await handing.open_task(bench, task_set, slot, reader.person.id)
+    place = await bench.sets.place(card.variant) if another and card.variant else None
+    if place is not None:
+        card = await handing.another_card(bench, place)
+    return card.variant or ""

@@ -1,0 +1,188 @@
+"""Building a set: what a lecturer may write, drafts by revision, copies with shifted dates, moved deadlines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from math import isfinite
+from typing import Annotated, Any
+from zoneinfo import ZoneInfo
+
+from pydantic import Field, StrictInt
+
+from exercises import catalogue
+from server import ids
+from server.bench import Bench
+from server.errors import Refused, printable
+from server.people import Strict
+from server.sets.clock import NoSuchMoment, read, shifted, zone
+from server.sets.rules import Rules, window
+from server.storage.courses import Course
+from server.storage.sets import DRAFT, PUBLISHED, NotADraft, Slot, TaskSet
+from server.typed import Typed
+
+MOST_SLOTS = 50
+Name = Annotated[Typed, Field(min_length=1, max_length=64)]
+Title = Annotated[Typed, Field(min_length=1, max_length=200)]
+Local = Annotated[Typed, Field(max_length=40)]
+Minutes = Annotated[StrictInt, Field(ge=1, le=100_000)]
+Days = Annotated[StrictInt, Field(ge=-3660, le=3660)]
+
+
+class Item(Strict):
+    """A place in a set: one exercise or a pool, of which `pick` are dealt; points and attempts of each; limits of
+    givens in SI units."""
+
+    exercise: Name | None = None
+    pool: Annotated[tuple[Name, ...], Field(max_length=MOST_SLOTS)] = ()
+    pick: Annotated[StrictInt, Field(ge=1, le=MOST_SLOTS)] = 1
+    points: Annotated[float, Field(ge=0, le=1000)] = 1.0
+    attempts: Annotated[StrictInt, Field(ge=1, le=1000)] | None = None
+    limits: Annotated[dict[Name, tuple[float, float]], Field(default_factory=dict)]
+
+
+class Draft(Strict):
+    """What a lecturer writes of a set. Moments without an offset are local time of the course."""
+
+    title: Title
+    items: Annotated[tuple[Item, ...], Field(max_length=MOST_SLOTS)] = ()
+    opens: Local | None = None
+    due: Local | None = None
+    closes: Local | None = None
+    rules: Rules = Rules()
+
+
+async def add(bench: Bench, course: Course, draft: Draft) -> TaskSet:
+    """Store a new draft.
+
+    Raises:
+        Refused: 422, something in it cannot be.
+    """
+    new = _made(ids.new(), course, draft, 1, datetime.now(UTC))
+    await _refuse_strange_chance(bench, new)
+    await bench.sets.add(new)
+    return new
+
+
+async def change(bench: Bench, old: TaskSet, course: Course, draft: Draft, revision: int) -> TaskSet:
+    """Store a draft anew.
+
+    Raises:
+        Refused: 409, it is published, or was changed meanwhile; 422, something in it cannot be.
+    """
+    new = _made(old.id, course, draft, revision + 1, old.created)
+    await _refuse_strange_chance(bench, new)
+    try:
+        await bench.sets.change(new, revision)
+    except NotADraft:
+        raise _not_a_draft(old) from None
+    return new
+
+
+def _not_a_draft(old: TaskSet) -> Refused:
+    return Refused(409, "set_frozen" if old.state == PUBLISHED else "set_changed", field="revision")
+
+
+def _made(number: str, course: Course, draft: Draft, revision: int, created: datetime) -> TaskSet:
+    place = zone(course.time_zone)
+    opens, due, closes = (_moment(draft, name, place) for name in ("opens", "due", "closes"))
+    bounds = [moment for moment in (opens, due, closes) if moment is not None]
+    if bounds != sorted(bounds):
+        raise Refused(422, "set_times", field="due")
+    slots = _slots(number, draft.items)
+    rules = draft.rules.model_dump(mode="json")
+    return TaskSet(number, course.id, draft.title, rules, DRAFT, opens, due, closes, None, revision, created, slots)
+
+
+def _moment(draft: Draft, name: str, place: ZoneInfo) -> datetime | None:
+    text = getattr(draft, name)
+    try:
+        return read(text, place) if text else None
+    except NoSuchMoment:
+        raise Refused(422, "no_moment", field=name, name=name, zone=place.key) from None
+
+
+def _slots(number: str, items: Sequence[Item]) -> tuple[Slot, ...]:
+    slots: list[Slot] = []
+    for at, item in enumerate(items):
+        pool = _pool(item, at)
+        for low, high in item.limits.values():
+            if not (isfinite(low) and isfinite(high) and low <= high):
+                raise Refused(422, "out_of_range", field=f"items.{at}.limits", name="limits")
+        for _ in range(item.pick):
+            slots.append(Slot(ids.new(), number, len(slots) + 1, pool, item.points, item.attempts, dict(item.limits)))
+    if len(slots) > MOST_SLOTS:
+        raise Refused(422, "out_of_range", field="items", name="items")
+    return tuple(slots)
+
+
+def _pool(item: Item, at: int) -> tuple[str, ...]:
+    pool = tuple(dict.fromkeys([*([item.exercise] if item.exercise else []), *item.pool]))
+    for exercise in pool:
+        if exercise not in catalogue.ids():
+            raise Refused(422, "unknown_exercise", field=f"items.{at}.{printable(exercise)}")
+    if not 1 <= item.pick <= len(pool):
+        raise Refused(422, "set_pick", field=f"items.{at}")
+    return pool
+
+
+async def _refuse_strange_chance(bench: Bench, new: TaskSet) -> None:
+    first = new.rules["second_chance_of"]
+    if first is None:
+        return
+    found = await bench.sets.task_set(first)
+    if found is None or found.course != new.course or found.id == new.id or found.rules["second_chance_of"]:
+        raise Refused(422, "unknown_set", field="rules.second_chance_of")
+
+
+def draft_of(task_set: TaskSet) -> Draft:
+    """Give a set as its lecturer would write it."""
+    items = tuple(
+        Item(pool=slot.pool, points=slot.points, attempts=slot.attempts, limits=dict(slot.limits))
+        for slot in task_set.slots
+    )
+    moments = {name: _iso(getattr(task_set, name)) for name in ("opens", "due", "closes")}
+    return Draft(title=task_set.title, items=items, rules=Rules.model_validate(task_set.rules), **moments)
+
+
+def _iso(moment: datetime | None) -> str | None:
+    return moment.isoformat() if moment else None
+
+
+async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int) -> TaskSet:
+    """Copy a set as a draft; its dates move by whole days of the course's clock."""
+    place = zone(course.time_zone)
+    opens, due, closes = (
+        shifted(moment, days, place) if moment else None for moment in (task_set.opens, task_set.due, task_set.closes)
+    )
+    number, rules = ids.new(), {**task_set.rules, "second_chance_of": None}
+    slots = tuple(replace(slot, id=ids.new(), task_set=number) for slot in task_set.slots)
+    new = replace(
+        task_set, id=number, course=course.id, rules=rules, state=DRAFT, published=None, revision=1,
+        created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes,
+    )  # fmt: skip
+    await bench.sets.add(new)
+    return new
+
+
+async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime) -> list[TaskSet]:
+    """Move the open deadlines of published sets; those that have closed stay closed. Gives the sets that moved."""
+    moved = []
+    for task_set in sets:
+        found = window(task_set.opens, task_set.due, task_set.closes, Rules.model_validate(task_set.rules))
+        if task_set.state != PUBLISHED or found.closes is None or now > found.closes:
+            continue
+        due, closes = _later(task_set.due, minutes), _later(task_set.closes, minutes)
+        await bench.sets.move(task_set.id, due, closes)
+        moved.append(replace(task_set, due=due, closes=closes))
+    return moved
+
+
+def _later(moment: datetime | None, minutes: int) -> datetime | None:
+    return moment + timedelta(minutes=minutes) if moment else None
+
+
+def merged(old: Draft, changes: dict[str, Any]) -> Draft:
+    """Give a draft with some of its parts written anew."""
+    return old.model_copy(update=changes)

@@ -1,0 +1,105 @@
+"""How a student stands in a set: windows, attempts, points; all of it computed from the ledger."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+
+from server.bench import Bench
+from server.sets.handing import rules_of, window_of
+from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
+from server.storage.sets import Card, Line, Slot, TaskSet
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One slot of a student.
+
+    Attributes:
+        card: The card as it was dealt; none before the first open.
+        ledger: What was handed in, in the order received.
+        share: The share of the points earned so far; none where nothing was judged.
+        left: Attempts left; none for as many as one likes.
+    """
+
+    slot: Slot
+    card: Card | None
+    ledger: tuple[Entry, ...]
+    share: float | None
+    left: int | None
+
+    @property
+    def counted(self) -> int:
+        """How many attempts are used up."""
+        return sum(entry.counted for entry in self.ledger)
+
+    @property
+    def points(self) -> float:
+        """The points earned so far."""
+        return round((self.share or 0.0) * self.slot.points, 3)
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A student in a set; while results are held, points are not to be shown to him."""
+
+    task_set: TaskSet
+    rules: Rules
+    window: Window
+    stage: Stage
+    held: bool
+    tasks: tuple[Task, ...]
+
+    @property
+    def worth(self) -> float:
+        """The points of the whole set."""
+        return sum(task.slot.points for task in self.tasks)
+
+    @property
+    def points(self) -> float:
+        """The points earned so far."""
+        return round(sum(task.points for task in self.tasks), 3)
+
+    @property
+    def share(self) -> float:
+        """The share of the points earned so far."""
+        return self.points / self.worth if self.worth else 0.0
+
+    @property
+    def taken(self) -> bool:
+        """Whether anything was judged."""
+        return any(task.share is not None for task in self.tasks)
+
+
+async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> Standing:
+    """Tell how a student stands."""
+    lines = await bench.sets.ledger(task_set.id, person)
+    dealt = [card for card in await bench.sets.cards(task_set.id, person) if card.variant]
+    extra, begun = await bench.sets.extra(task_set.id, person), await bench.sets.begun(task_set.id, person)
+    rules, found = rules_of(task_set), window_of(task_set, extra, begun)
+    stage = found.stage(now)
+    tasks = tuple(_task(slot, dealt, lines, found, rules) for slot in task_set.slots)
+    return Standing(task_set, rules, found, stage, held(rules, stage), tasks)
+
+
+def _task(slot: Slot, dealt: list[Card], lines: Sequence[Line], found: Window, rules: Rules) -> Task:
+    ledger = tuple(_entry(line) for line in lines if line.slot == slot.id)
+    card = next((card for card in reversed(dealt) if card.slot == slot.id), None)
+    counted = sum(entry.counted for entry in ledger)
+    return Task(slot, card, ledger, result(ledger, found.due, rules), left(slot.attempts, counted))
+
+
+def _entry(line: Line) -> Entry:
+    return Entry(line.receipt, line.time, line.grade["score"], line.counted)
+
+
+async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> float:
+    """Give a student's share of a set; one that is a second chance is weighed with the first."""
+    own = await standing(bench, task_set, person, now)
+    before = own.rules.second_chance_of
+    first = await bench.sets.task_set(before) if before else None
+    if first is None:
+        return own.share
+    earlier = await standing(bench, first, person, now)
+    return combined(earlier.share, own.share if own.taken else None)

@@ -1,0 +1,11 @@
+"""What stands against publishing, in words."""
+
+from __future__ import annotations
+
+from server.language import say
+from server.sets.dealing import Trouble
+
+
+def said(language: str, trouble: Trouble) -> str:
+    """Word a trouble in a language."""
+    return say(language, f"sets.trouble_{trouble.code}", slot=trouble.slot, **trouble.values)

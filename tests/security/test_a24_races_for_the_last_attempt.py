@@ -1,0 +1,34 @@
+"""A24: a hundred posts at once with one attempt left use up exactly one; first opens at once deal one card."""
+
+from __future__ import annotations
+
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+
+from tests.server.sets.conftest import Course
+
+
+def test_of_a_hundred_posts_with_one_attempt_left_one_is_counted(course: Course) -> None:
+    number = course.published(item={"attempts": 1})
+    variant = course.variant(number)
+    with ThreadPoolExecutor(20) as pool:
+        replies = list(pool.map(lambda n: course.hand_in(variant, {"l3": f"{n} m"}), range(1, 101)))
+    assert Counter(reply.status_code for reply in replies) == {201: 1, 403: 99}
+    item = course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]
+    assert (item["left"], len(item["ledger"])) == (0, 1)
+
+
+def test_the_same_answers_from_a_nervous_hand_cost_one_attempt(course: Course) -> None:
+    number = course.published(item={"attempts": 3})
+    variant = course.variant(number)
+    with ThreadPoolExecutor(10) as pool:
+        replies = list(pool.map(lambda _: course.hand_in(variant, {"l3": "1 m"}).json(), range(20)))
+    assert sum(reply["counted"] for reply in replies) == 1
+    assert course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]["left"] == 2
+
+
+def test_first_opens_at_once_deal_one_card(course: Course) -> None:
+    number = course.published()
+    with ThreadPoolExecutor(20) as pool:
+        replies = list(pool.map(lambda _: course.open(number).json()["id"], range(20)))
+    assert len(set(replies)) == 1
