@@ -17,10 +17,12 @@ from graders.language import AnswerSyntaxError
 from graders.language.latex_reader import is_latex, rewritten
 from graders.language.tokens import tokenize
 from graders.units import read_unit
+from tests.graders.fuzzing.posed import posed
 from tests.graders.fuzzing.texts import Texts, hand_written
 
 SLOW = 0.05  # s of processor time one answer may cost
 LONGEST_KEPT = 12
+FREE = ("expression", "function", "quantity", "matrix")  # a text of the grammar is often an answer of these kinds
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +74,7 @@ OTHERS: tuple[tuple[Grader, Any], ...] = (
 def targets(exercises: Sequence[str] = (), seeds: Sequence[int] = (1, 2)) -> list[Target]:
     """Give a target for every answer of the exercises on some seeds, and one for each kind of the small judges."""
     found = [_target(grader, reference, Symbols(())) for grader, reference in OTHERS]
+    found += [_target(*each) for each in posed()]
     for exercise in exercises or catalogue.ids():
         for seed in seeds:
             solved = Solved(catalogue.load(exercise).exercise, variants.deal(exercise, seed))
@@ -98,8 +101,8 @@ def attack(every: Sequence[Target], seed: int, inputs: int) -> Found:
 
 
 def _source(rng: random.Random, target: Target, written: Sequence[str]) -> Texts:
-    """Make the texts for a judge: those that pick or count are mostly handed answers of their own, a little changed."""
-    if target.grader.symbolic or target.grader.kind in ("quantity", "matrix"):
+    """Make the texts for a judge: those of a strict form are mostly handed answers of their own, a little changed."""
+    if target.grader.kind in FREE:
         return Texts(rng, _names(target), (*target.corpus * 3, *written))
     return Texts(rng, _names(target), (*target.corpus * 40, *written), mutated=0.8)
 

@@ -16,6 +16,7 @@ from tests.graders.fuzzing.attack import Found, Target, attack, one, targets
 KNOWN = (
     "slider_crank", "rrr_matrices", "gear_train", "simple_beam", "stepped_shaft",
 )  # fmt: skip
+POSED = {"equation", "system", "inequality", "symbolic_matrix"}
 LONGEST = 0.5  # s: ten times the promise, for a machine that does other work as well
 MOST_MEMORY = 20e6
 MENDED = [
@@ -60,6 +61,14 @@ def test_enough_random_texts_pass_the_tokenizer_and_reach_a_judge() -> None:
     assert found.judged >= 0.1 * found.inputs
     assert set(found.kinds) <= set(KINDS)
     assert len(found.kinds) >= 6
+
+
+def test_texts_reach_the_kinds_that_no_exercise_asks_for() -> None:
+    found = attack([t for t in every() if t.grader.kind in POSED], 1, 1200)
+    assert found.crashes == []
+    assert set(found.kinds) == POSED
+    assert found.judged >= 0.05 * found.inputs
+    assert found.right > 0
 
 
 def test_the_same_seed_hands_in_the_same_texts() -> None:
