@@ -1,5 +1,4 @@
 /* Formula lines: Enter adds a line only where there may be several, Ctrl+Enter checks, the field grows with its text. */
-import { isTextField } from "./fields.ts";
 
 type Key = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "isComposing">;
 
@@ -18,8 +17,7 @@ function grow(area: HTMLTextAreaElement): void {
 export function growFormulas(form: HTMLFormElement): void {
   form.addEventListener("keydown", (event) => {
     const { target } = event;
-    if (!isTextField(target)) return;
-    const sense = meaning(event, target.matches("textarea.formula:not(.lines)"));
+    const sense = meaning(event, target instanceof Element && target.matches("textarea.formula:not(.lines)"));
     if (sense === "default") return;
     event.preventDefault();
     if (sense === "check") form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));

@@ -117,11 +117,15 @@ class Sketch {
   private drawHandles(handles: Handle[]): void {
     this.labels.replaceChildren();
     const seen = new Set<string>();
-    for (const handle of handles) {
+    let next: SVGElement | null = null; // Tab goes along the bar; a handle that has the focus is never moved
+    for (const handle of handles.toReversed()) {
       const key = `${handle.at}.${handle.side}`;
       seen.add(key);
-      if (!this.knobs.has(key)) this.knobs.set(key, this.knob(handle.at, handle.side));
-      this.place(this.knobs.get(key), handle);
+      const knob: SVGElement = this.knobs.get(key) ?? this.knob(handle.at, handle.side);
+      if (!this.knobs.has(key)) this.figure.insertBefore(knob, next);
+      this.knobs.set(key, knob);
+      this.place(knob, handle);
+      next = knob;
     }
     for (const [key, knob] of this.knobs) {
       if (seen.has(key)) continue;
@@ -130,8 +134,7 @@ class Sketch {
     }
   }
 
-  private place(knob: SVGElement | undefined, { at, side, x, value }: Handle): void {
-    if (knob === undefined) return;
+  private place(knob: SVGElement, { at, side, x, value }: Handle): void {
     const [left, top] = [this.x(x), this.y(value)];
     knob.setAttribute("transform", `translate(${left.toFixed(1)} ${top.toFixed(1)})`);
     const said = { x: written(x, this.comma), value: written(value, this.comma).replace("-", "−") };
@@ -164,7 +167,6 @@ class Sketch {
     knob.addEventListener("pointermove", (event) => {
       if (knob.hasPointerCapture((event as PointerEvent).pointerId)) this.drag(event as PointerEvent, at, side);
     });
-    this.figure.append(knob);
     return knob;
   }
 

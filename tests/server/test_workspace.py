@@ -1,0 +1,219 @@
+"""Every kind of answer in a real browser, by keyboard: right, wrong, unreadable; editors, files, a lost connection."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from exercises import grading
+from exercises.solving import solved
+from exercises.variants import deal
+from tests.server import components
+from tests.server.conftest import Live
+from tests.server.test_browser import practise, watched
+
+TASKS = {
+    "slider_crank": ("l3", "omega2_formula"), "mobility": ("n", "drives"), "planetary": ("u0",),
+    "four_bar": ("assemblies",), "rrr_matrices": ("A1",), "rrp_table": ("P",), "beam_diagrams": ("V",),
+    "beam_deflection": ("M",), "slider_crank_cycle": ("cycle",), "slider_crank_polygon": ("polygon", "velocities"),
+}  # fmt: skip
+OFF = ("v-wrong", "v-partly")
+SAVED = "[data-draft-state]:text('saved')"
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser) -> Iterator[Page]:
+    context = browser.new_context(locale="en", viewport={"width": 1360, "height": 900})
+    context.set_default_timeout(15_000)
+    yield from watched(context.new_page())
+    context.close()
+
+
+def texts(exercise: str, name: str) -> tuple[str, str, str]:
+    """A right, a wrong and an unreadable text of an answer."""
+    task = solved(deal(exercise, 7))
+    shown = task.answers[name].samples(task.reference(name))
+    return shown.right[0], shown.wrong[0], next(text for text in shown.unreadable if text.strip())
+
+
+def type_in(page: Page, name: str, text: str) -> bool:
+    """Type an answer by keyboard; False where it cannot be typed, as an unreadable choice."""
+    field = page.locator(f"[name='answer.{name}']").first
+    if field.get_attribute("type") == "radio":
+        option = page.locator(f"[name='answer.{name}'][value='{text}']")
+        if option.count() == 0:
+            return False
+        option.focus()
+        page.keyboard.press("Space")
+        return True
+    for summary in field.locator("xpath=ancestor::details[not(@open)]/summary").all()[:1]:
+        summary.focus()
+        page.keyboard.press("Enter")
+    field.focus()
+    page.keyboard.press("Control+a")
+    page.keyboard.insert_text(text)
+    return True
+
+
+@pytest.mark.parametrize("exercise", TASKS)
+def test_each_kind_is_answered_right_wrong_and_unreadably_by_keyboard(page: Page, site: Live, exercise: str) -> None:
+    practise(page, site, exercise)
+    for outcomes, place in ((("v-right",), 0), (OFF, 1), (("v-unread",), 2)):
+        typed = [name for name in TASKS[exercise] if type_in(page, name, texts(exercise, name)[place])]
+        with page.expect_navigation():
+            page.keyboard.press("Control+Enter")
+        for name in typed:
+            line = page.locator(f"li.answer:has([name='answer.{name}'])")
+            seen = (line.locator(".verdict").get_attribute("class") or "").split()
+            assert set(seen) & set(outcomes), (name, seen, texts(exercise, name)[place])
+
+
+def test_a_grid_is_filled_and_echoed_by_keyboard(page: Page, site: Live) -> None:
+    practise(page, site, "rrr_matrices")
+    page.focus("[name='answer.A1.1.1']")
+    for row in range(1, 5):
+        for column in range(1, 5):
+            page.keyboard.insert_text(f"{row}{column}")
+            page.keyboard.press("Control+ArrowRight")
+        page.keyboard.press("Control+ArrowDown")
+        for _ in range(3):
+            page.keyboard.press("Control+ArrowLeft")
+    page.wait_for_selector("li:has([name='answer.A1']) .read math mtable")
+    assert page.input_value("[name='answer.A1.4.4']") == "44"
+    page.wait_for_selector(SAVED)
+    page.reload()
+    assert page.input_value("[name='answer.A1.3.2']") == "32"
+
+
+def test_a_diagram_is_drawn_by_keyboard_and_is_its_table(page: Page, site: Live) -> None:
+    practise(page, site, "beam_diagrams")
+    first = page.locator(".sketch [role=slider]").first
+    first.focus()
+    for key in ("Insert", "Tab", "ArrowUp", "Shift+ArrowUp", "+"):
+        page.keyboard.press(key)
+    cells = [page.input_value(f"[name='answer.V.1.{column}']") for column in (1, 2, 3)]
+    assert cells[:2] == ["0", "0"] and float(cells[2]) > 0
+    assert cells[2] in str(page.evaluate("document.querySelector('.handle.right').getAttribute('aria-valuetext')"))
+    page.wait_for_selector("li:has([name='answer.V']) .read .echo")
+    page.fill("[name='answer.V.1.3']", "-4")
+    knob = page.locator(".sketch .handle.right").first
+    assert "−4 kN" in (knob.get_attribute("aria-valuetext") or "")
+    moment = page.locator(".sketch[data-quantity=M] [role=slider]").first
+    moment.focus()
+    page.keyboard.press("ArrowUp")
+    assert page.input_value("[name='answer.M.1.2']").startswith("-")  # seen going up: M points down
+
+
+def test_a_polygon_is_built_row_by_row(page: Page, site: Live) -> None:
+    practise(page, site, "slider_crank_polygon")
+    text = grading.reference(deal("slider_crank_polygon", 7))["polygon"]
+    vectors = (
+        ("l1", "A", "B", "l1", "alpha1", "+"),
+        ("l2", "B", "C", "l2", "alpha2", "+"),
+        ("l3", "A", "C", "l3", "0", "-"),
+    )
+    for row, vector in enumerate(vectors):
+        item = page.locator(".vectors li").nth(row)
+        for part, value in zip(("name", "from", "to", "length", "angle", "sign"), vector, strict=True):
+            control = item.locator(f"[data-part={part}]")
+            if part in ("from", "to", "sign"):
+                control.select_option(value)
+            else:
+                control.fill(value)
+    for part in ("x", "y", "unknowns"):
+        line = next(line for line in text.splitlines() if line.startswith(f"{part}:"))
+        page.fill(f".builder-polygon [data-part={part}]", line.partition(": ")[2])
+    assert page.input_value("[name='answer.polygon']") == text
+    page.fill("[name='answer.polygon']", text.replace("l1: A > B", "l1: B > A"))
+    assert page.locator(".vectors li").first.locator("[data-part=from]").input_value() == "B"
+    page.locator(".vectors [data-remove]").last.click()
+    assert "l3: A > C" not in page.input_value("[name='answer.polygon']")
+
+
+def test_orders_boxes_and_files_are_answers(page: Page, site: Live) -> None:
+    practise(page, site)
+    address, whole = f"{site.url}/kinds", components.page(page.request.get(page.url).text())
+    page.route(address, lambda route: route.fulfill(body=whole, content_type="text/html"))
+    page.goto(address)
+    page.locator(".order button").nth(1).press("Enter")
+    assert page.input_value("[name='answer.ordering']") == "b; a; c"
+    assert "now number 2" in page.inner_text("li:has(.order) .vh[role=status]")
+    page.fill("[name='answer.ordering']", "c; b; a")
+    assert page.locator(".order li").first.get_attribute("data-letter") == "c"
+    for option in ("one", "three"):
+        page.locator(f"[name='answer.choices'][value={option}]").press("Space")
+    assert page.locator("[name='answer.choices']:checked").count() == 2
+    sheet = {"name": "cycle.csv", "mimeType": "text/csv", "buffer": "\ufefft;x\r\n0;1,5\r\n".encode()}
+    page.set_input_files(".drop input", sheet)  # type: ignore[arg-type]
+    page.wait_for_selector(".drop [role=status]:text('cycle.csv')")
+    assert page.input_value("[name='answer.samples']") == "t;x\n0;1,5"
+    page.set_input_files(".drop input", sheet | {"buffer": b"0" * 50_000})  # type: ignore[arg-type]
+    page.wait_for_selector(".drop [role=status]:text('too large')")
+
+
+def test_the_visual_editor_keeps_in_step_with_the_text(page: Page, site: Live) -> None:
+    practise(page, site)
+    field = "[name='answer.omega2_formula']"
+    page.fill(field, "l1")
+    page.click(".visual button")
+    expect(page.locator("math-field .ML__latex")).to_contain_text("l1")
+    page.keyboard.press("End")
+    page.keyboard.type("*omega1/")
+    page.keyboard.type("l2")
+    expect(page.locator(field)).to_have_value(re.compile("/l2"))
+    assert page.input_value(field).replace("(", "").replace(")", "") == "l1*omega1/l2"
+    box = page.locator("math-field").bounding_box()
+    assert box is not None and box["height"] > 40
+    assert (
+        page.evaluate(
+            "getComputedStyle(document.querySelector('math-field').shadowRoot.querySelector('[part=container]')).visibility"
+        )
+        == "visible"
+    )
+
+
+def test_a_lost_connection_keeps_the_answers_and_sends_them_when_it_is_back(page: Page, site: Live) -> None:
+    practise(page, site)
+    page.locator("[name='answer.l3']").press_sequentially("12,")
+    page.context.set_offline(True)
+    page.locator("[name='answer.l3']").press_sequentially("5 mm")
+    page.wait_for_selector("[data-draft-state]:text('not saved yet')")
+    assert "kept in this browser" in page.inner_text("[data-draft-place]")
+    page.context.set_offline(False)
+    page.wait_for_selector(SAVED)
+    other = page.context.new_page()
+    other.goto(page.url)
+    assert other.input_value("[name='answer.l3']") == "12,5 mm"
+    other.fill("[name='answer.v3']", "1 m/s")
+    expect(page.locator("[name='answer.v3']")).to_have_value("1 m/s")
+    other.close()
+
+
+def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live, browser: Browser) -> None:
+    practise(page, site)
+    page.fill("[name='answer.l3']", "17 mm")
+    page.wait_for_selector(SAVED)
+    phone = browser.new_context(
+        locale="en", viewport={"width": 360, "height": 740}, has_touch=True, is_mobile=True,
+        storage_state={"cookies": page.context.cookies(), "origins": []},  # type: ignore[typeddict-item]
+    )  # fmt: skip
+    small = phone.new_page()
+    small.goto(page.url)
+    assert small.input_value("[name='answer.l3']") == "17 mm"
+    small.tap("[name='answer.omega2_formula']")
+    small.tap(".keys button[data-insert='l1']")
+    small.tap(".keys button[data-insert='*']")
+    assert small.input_value("[name='answer.omega2_formula']") == "l1*"
+    assert (
+        small.evaluate("Math.min(...[...document.querySelectorAll('.keys button')].map((key) => key.offsetHeight))")
+        >= 44
+    )
+    assert small.evaluate("document.documentElement.scrollWidth") <= 360
+    small.wait_for_selector(SAVED)
+    phone.close()
+    page.fill("[name='answer.v3']", "1 m/s")  # the other device came first: both are kept
+    expect(page.locator("[name='answer.omega2_formula']")).to_have_value("l1*")
+    assert page.input_value("[name='answer.v3']") == "1 m/s" and page.is_hidden("[data-draft-conflict]")
