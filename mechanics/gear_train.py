@@ -1,4 +1,4 @@
-"""Gear trains as an exact system of linear equations (domain TR-1 to TR-6).
+"""Gear trains, planetary ones too, as an exact system of linear equations (domain TR-1 to TR-6).
 
 Angular velocities in rad/s about one axis direction, counter-clockwise positive. A mesh gives
 (omega_a - omega_H) z_a = -(omega_b - omega_H) z_b when external, the same with + when internal.

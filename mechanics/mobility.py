@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import atan2, hypot
 from typing import Any, TypeAlias
 
@@ -165,19 +165,26 @@ def _check_place(number: int, joint: Joint, size: int) -> None:
         raise ValueError(f"joint {number}: a pair of kind {joint.kind} needs a direction that is not zero")
 
 
-def _size(joints: Sequence[Joint]) -> float:
-    places = [joint.at for joint in joints if joint.at is not None]
-    spans = [max(axis) - min(axis) for axis in zip(*places, strict=True)]
-    return max(spans, default=0.0) or 1.0
+def _to_scale(joints: Sequence[Joint]) -> list[Joint]:
+    """Measure places from the middle of the mechanism in parts of its size: ranks must not hang on where it stands."""
+    axes = list(zip(*(joint.at or () for joint in joints), strict=True))
+    middle = [(min(axis) + max(axis)) / 2 for axis in axes]
+    size = max((max(axis) - min(axis) for axis in axes), default=0.0) or 1.0
+
+    def placed(joint: Joint) -> Joint:
+        at = tuple((x - centre) / size for x, centre in zip(joint.at or (), middle, strict=True))
+        return replace(joint, at=at, pitch=joint.pitch / size)
+
+    return [placed(joint) for joint in joints]
 
 
 def _plane_closure(links: Sequence[str], joints: Sequence[Joint]) -> Closure:
-    """Write the constraints with the joints of `mechanics.planar`, lengths over the size of the mechanism."""
+    """Write the constraints with the joints of `mechanics.planar`, to scale."""
     import numpy as np
 
     numbers = {link: number for number, link in enumerate([FRAME, *(link for link in links if link != FRAME)])}
-    size, coordinates = _size(joints), 3 * (len(links) - 1)
-    made = [one for joint in joints for one in _plane_joints(joint, numbers, size)]
+    coordinates = 3 * (len(links) - 1)
+    made = [one for joint in _to_scale(joints) for one in _plane_joints(joint, numbers)]
 
     def closure(at: Any) -> tuple[Any, Any]:
         poses = [planar.FRAME, *(tuple(at[i : i + 3]) for i in range(0, coordinates, 3))]
@@ -191,34 +198,33 @@ def _plane_closure(links: Sequence[str], joints: Sequence[Joint]) -> Closure:
     return closure
 
 
-def _plane_joints(joint: Joint, numbers: dict[str, int], size: float) -> list[planar.Joint]:
-    x, y = (value / size for value in joint.at or (0.0, 0.0))
+def _plane_joints(joint: Joint, numbers: dict[str, int]) -> list[planar.Joint]:
+    x, y = joint.at or (0.0, 0.0)
     angle = atan2(joint.direction[1], joint.direction[0]) if joint.direction else 0.0
     markers = [planar.Marker(numbers[link], x, y, angle) for link in joint.links]
     return [MADE[joint.kind](markers[0], other) for other in markers[1:]]
 
 
 def _space_closure(links: Sequence[str], joints: Sequence[Joint]) -> Closure:
-    """Write the constraints with the pairs of `mechanics.spatial`, lengths over the size of the mechanism."""
+    """Write the constraints with the pairs of `mechanics.spatial`, to scale."""
     numbers = {link: number for number, link in enumerate([FRAME, *(link for link in links if link != FRAME)])}
-    size = _size(joints)
     pairs = [
         spatial.spatial_pair(
             joint.kind,
             (numbers[joint.links[0]], numbers[other]),
-            _vector(joint.at, 1 / size) or (0.0, 0.0, 0.0),
+            _vector(joint.at) or (0.0, 0.0, 0.0),
             _vector(joint.direction),
             _vector(joint.second),
-            joint.pitch / size,
+            joint.pitch,
         )
-        for joint in joints
+        for joint in _to_scale(joints)
         for other in joint.links[1:]
     ]
     return lambda at: spatial.closure(pairs, len(links) - 1, at)
 
 
-def _vector(values: Point | None, scale: float = 1.0) -> spatial.Vector | None:
+def _vector(values: Point | None) -> spatial.Vector | None:
     if values is None:
         return None
     x, y, z = values
-    return scale * x, scale * y, scale * z
+    return x, y, z

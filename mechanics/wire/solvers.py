@@ -21,7 +21,7 @@ SOLVERS = {
     "shaft": "torsion of a stepped round shaft: reactions, torques, stresses, twists, sizes",
     "bar": "tension and compression of a stepped bar: forces, stresses, displacements, temperature, gap",
     "linkage": "planar linkages, manipulators, joints of shafts: positions, velocities, accelerations, dead positions",
-    "gear_train": "gear trains with any carriers: exact angular velocities, ratio; rack, screw, worm, differentials",
+    "gear_train": "gear trains, planetary ones too: exact angular velocities, ratio; rack, screw, worm, differentials",
     "mobility": "structure: mobility by formula, loops, true mobility and passive constraints of a drawn mechanism",
     "balance": "balancing of a rotor in one or two planes; counterweights of a four-bar",
     "vibration": "one mass on spring and damper: amplitude, phase, transmissibility under force or base excitation",

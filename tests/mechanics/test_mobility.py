@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 import pytest
@@ -164,6 +165,19 @@ def test_the_frame_must_be_there_and_names_single() -> None:
         plane("12", [])
     with pytest.raises(ValueError, match="twice"):
         plane("011", [])
+
+
+@pytest.mark.parametrize("far", [1e3, -1e4])
+def test_a_drawing_far_from_the_origin_has_the_same_mobility(far: float) -> None:
+    moved = [replace(joint, at=(joint.at[0] + far, joint.at[1] - far)) for joint in four_bar() if joint.at]
+    found = plane("01234", moved)
+    assert (found.instantaneous, found.true, found.rank) == (1, 1, 11)
+    rods = [
+        replace(joint, at=(joint.at[0] + far, joint.at[1], far), direction=(0, 0, 1))
+        for joint in four_bar()[:4]
+        if joint.at
+    ]
+    assert space("0123", rods).true == 1
 
 
 def test_a_turned_drawing_has_the_same_mobility() -> None:
