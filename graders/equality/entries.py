@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from graders.equality.comparing import between, compare, spread_over
+from graders.equality.comparing import between, spread_over
 from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
-from graders.equality.pair import FEW, Comparison, few
+from graders.equality.pair import FEW, MOST_TURNS, Comparison, Pair, few
 from graders.equality.turns import TURNING
 from graders.judge import Domain, Formula, States
 from graders.language.balls import BALLS, precision
@@ -14,15 +14,29 @@ from graders.language.doubles import UndefinedError
 from graders.language.program import Builder, Program, Runner
 from graders.language.tree import Tree
 
+ALL_TURNS = 64  # of a matrix that are searched, shared by its entries...
+LEAST_TURNS = 4  # ...but so many in each
 EQUAL = Comparison(Finding.EQUAL)
 
 
 def compare_entries(answers: Sequence[Tree], references: Sequence[Tree], states: States) -> list[Comparison]:
-    """Compare formulas pair by pair on the same states; what turns, or stays open, is compared alone."""
-    return [
-        found or compare(answer, Formula(tree, states))
-        for found, answer, tree in zip(_together(references, answers, states), answers, references, strict=True)
-    ]
+    """Compare formulas pair by pair on the same states; what turns, or stays open, is compared alone.
+
+    Behind the first that stays open none is compared: all of the work together is bounded.
+    """
+    together = _together(references, answers, states)
+    most = max(LEAST_TURNS, min(MOST_TURNS, ALL_TURNS // max(1, together.count(None))))
+    found = list[Comparison]()
+    for done, answer, tree in zip(together, answers, references, strict=True):
+        if found and found[-1].finding is Finding.UNDECIDED:
+            found.append(found[-1])
+        else:
+            found.append(done or _alone(answer, Formula(tree, states), most))
+    return found
+
+
+def _alone(answer: Tree, reference: Formula, most: int) -> Comparison:
+    return EQUAL if answer == reference.tree else Pair(answer, reference, mutual=False, most_turns=most).compared()
 
 
 def between_entries(

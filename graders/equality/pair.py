@@ -65,9 +65,12 @@ class Turned:
 class Pair:
     """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
 
-    __slots__ = ("_turned", "balls", "builder", "lines", "mutual", "points", "program", "searched", "states", "turning")
+    __slots__ = (
+        "_turned", "balls", "builder", "lines", "most_turns", "mutual", "points", "program", "searched", "states",
+        "turning",
+    )  # fmt: skip
 
-    def __init__(self, answer: Tree, reference: Formula, mutual: bool) -> None:
+    def __init__(self, answer: Tree, reference: Formula, mutual: bool, most_turns: int = MOST_TURNS) -> None:
         self.states, self.mutual, self.points = reference.states, mutual, reference.states.points
         self.builder = builder = Builder(self.states.names)
         lines = _needed(self.states.lines, reference.tree, answer)
@@ -76,7 +79,7 @@ class Pair:
         self.turning = any(name in TURNING for name, _ in builder.operations)
         self.balls = Balls(self.program, mutual, self.lines)
         self._turned: Turned | None = None
-        self.searched = True
+        self.searched, self.most_turns = True, most_turns
 
     @property
     def turned(self) -> Turned:
@@ -94,9 +97,9 @@ class Pair:
         if self.states.box:
             wide = self.builder.program(right, typed, *(turn.slot for turn in found))
             found, ranges = open_turns(wide, self.states.box, found)
-        if len(found) > MOST_TURNS:
+        if len(found) > self.most_turns:
             self.searched = False
-            found, ranges = found[:MOST_TURNS], ranges[:MOST_TURNS]
+            found, ranges = found[: self.most_turns], ranges[: self.most_turns]
         wide = self.builder.program(right, typed, *(turn.slot for turn in found))
         return Turned(wide, found, ranges, looks(Runner(wide, DOUBLES), self.points) if found else [])
 

@@ -10,6 +10,7 @@ from graders.language.grids import rows_of
 from graders.language.tree import Grid
 from graders.states import spread
 from graders.verdict import Entries, Verdict
+from tests.graders.effort import effort
 
 BOX = {"q1": Domain(-3, 3), "q2": Domain(-3, 3), "a1": Domain(0.2, 0.6), "a2": Domain(0.2, 0.6)}
 STATES = spread(BOX, b"matrix")
@@ -119,3 +120,13 @@ def test_shapes_that_do_not_fit_are_an_error_of_the_author() -> None:
     assert row is not None and rows_of(parse_line("q1 + a1"), {}) is None
     with pytest.raises(ValueError):
         rows_of(parse_line("A*A"), {"A": row})
+
+
+@pytest.mark.parametrize("sum_of", ["0*sign(sin({k}*q1 + {at}))", "sign(sin({k}*q1)^2 + cos({k}*q1)^2 - 1)"])
+def test_a_matrix_that_turns_in_every_entry_is_bounded_as_a_whole(sum_of: str) -> None:
+    rows = [row.split("; ") for row in TURN.strip("[]").split("], [")]
+    for at, row in enumerate(rows):
+        row[:] = ["+".join([entry, *(sum_of.format(k=k, at=at) for k in range(1, 6))]) for entry in row]
+    text = "[" + ", ".join("[" + "; ".join(row) + "]" for row in rows) + "]"
+    assert judged(text).code in (Code.RIGHT, Code.UNDECIDED)
+    assert effort(lambda: judged(text)) < 0.1
