@@ -41,6 +41,7 @@ def vectors(dx: float, dy: float, l5: float, l6: float, left: bool, names: Names
 
     Raises:
         AssemblyError: P and G are too far apart or too near for the bars to meet; the message has the gap.
+        SingularError: P and G are one point, and the bars are of one length.
     """
     square = dx * dx + dy * dy
     apart = sqrt(square)
@@ -56,9 +57,14 @@ def vectors(dx: float, dy: float, l5: float, l6: float, left: bool, names: Names
 
 
 def _stretched(apart: float, l5: float, l6: float, names: Names) -> float:
-    """Let a gap of rounding pass as bars in line; refuse a real one."""
+    """Let a gap of rounding pass as bars in line; refuse a real one, and bars of one length over a single point."""
     gap = max(apart - l5 - l6, abs(l5 - l6) - apart)
-    if apart == 0.0 or gap > REACH * max(apart, l5, l6):
+    if apart == 0.0 and gap <= REACH * max(l5, l6):
+        raise SingularError(
+            f"{names.start} and {names.end} fall together: {names.first} and {names.second}, both {l5:g} m, may point "
+            "anywhere"
+        )
+    if gap > REACH * max(apart, l5, l6):
         side = "too far for" if apart > abs(l5 - l6) else "too near for"
         raise AssemblyError(
             f"{names.start} and {names.end} are {apart:.6g} m apart, {side} {names.first} {l5:g} m and "

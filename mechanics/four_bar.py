@@ -45,6 +45,7 @@ def position(l1: float, l2: float, l3: float, l4: float, alpha1: float, mode: Mo
     Raises:
         ValueError: A length is not positive and finite, the angle not finite, or the mode unknown.
         AssemblyError: B and D are too far apart or too near for coupler and rocker to meet.
+        SingularError: B falls on D, and coupler and rocker are of one length.
 
     Source:
         Domain VP-4.
@@ -138,7 +139,7 @@ def solve(
     Raises:
         ValueError: A length is not positive and finite, another value not finite, or the mode unknown.
         AssemblyError: Coupler and rocker cannot meet; the message has the gap.
-        SingularError: Coupler and rocker are in line, where their rates are not determined.
+        SingularError: Coupler and rocker are in line, where their rates are not determined, or B falls on D.
 
     Source:
         Domain VP-4; the rates from the closure times the direction of the other vector.

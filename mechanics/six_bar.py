@@ -58,7 +58,7 @@ def solve(
     Raises:
         ValueError: A length is not positive and finite, another value not finite, or a mode unknown.
         AssemblyError: One of the groups cannot meet; the message has the gap.
-        SingularError: The two links of one of the groups are in line.
+        SingularError: The two links of one of the groups are in line, or of one length over a single point.
     """
     _check(dyad_pivot, l5, l6, dyad_mode)
     base = four_bar.solve(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode, coupler_point)

@@ -16,7 +16,8 @@ ROUNDING = 1e-12  # of the length
 
 REQUEST = Record(
     "Axis x from the left end, y and v positive up. V is the sum of the upward forces left of x, M > 0 sags, "
-    "EI v'' = M. Loads add up; at a load's own x the value is the one to its left.",
+    "EI v'' = M. Loads add up; at a load's own x the value is the one to its "
+    "left, at x = 0 the one inside the beam.",
     {
         "L": Number("length of the beam", "m", above=0),
         "E": Number("Young's modulus", "Pa", above=0),

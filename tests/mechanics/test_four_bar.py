@@ -125,6 +125,15 @@ def test_the_measure_is_the_sine_between_coupler_and_rocker() -> None:
     assert motion.singular.name == four_bar.DEAD_NAME
 
 
+def test_a_kite_folded_onto_its_frame_is_singular_not_out_of_reach() -> None:
+    """B falls on D: coupler and rocker, of one length, may point anywhere; of two lengths they cannot meet."""
+    for found in (position, solve):
+        with pytest.raises(SingularError, match="B and D fall together"):
+            found(0.2, 0.3, 0.3, 0.2, 0.0)
+        with pytest.raises(AssemblyError, match=r"0\.1 m are missing"):
+            found(0.2, 0.3, 0.4, 0.2, 0.0)
+
+
 @pytest.mark.parametrize(("bars", "apart"), [((0.1, 0.1, 0.1, 0.5), "too far"), ((0.2, 0.5, 0.1, 0.3), "too near")])
 def test_bars_that_cannot_meet_are_refused_with_their_distance(
     bars: tuple[float, float, float, float], apart: str
