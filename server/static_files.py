@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
-from starlette.responses import Response
+from starlette.datastructures import Headers
+from starlette.responses import FileResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import Receive, Scope, Send
 
@@ -14,6 +17,7 @@ FOLDER = Path(__file__).parent / "static"
 MANIFESTS = ("manifest.json", ".vite/manifest.json")
 ENTRY = "main.ts"
 FOREVER = "public, max-age=31536000, immutable"  # a built file carries the digest of its content in its name
+SHRINKING = (".js", ".css", ".svg")  # fonts are packed already
 AN_HOUR = "public, max-age=3600"
 
 
@@ -52,5 +56,23 @@ class Static:
         """Answer with one file."""
         path = self._files.get_path(scope)
         response: Response = await self._files.get_response(path, scope)
+        if isinstance(response, FileResponse) and path.endswith(SHRINKING):
+            response = _shrunk(response, Headers(scope=scope))
         response.headers["Cache-Control"] = FOREVER if path.startswith("build") else AN_HOUR
         await response(scope, receive, send)
+
+
+def _shrunk(whole: FileResponse, asked: Headers) -> Response:
+    """The same file packed, if the browser can unpack it and asks for no part of it."""
+    whole.headers["Vary"] = "Accept-Encoding"
+    if "gzip" not in asked.get("accept-encoding", "") or "range" in asked:
+        return whole
+    packed = _packed(str(whole.path), whole.headers["etag"])
+    headers = {"Content-Encoding": "gzip", "Vary": "Accept-Encoding"}
+    return Response(packed, headers=headers, media_type=whole.media_type)
+
+
+@lru_cache(maxsize=32)
+def _packed(path: str, version: str) -> bytes:
+    """Pack a file; `version` changes with it."""
+    return gzip.compress(Path(path).read_bytes(), mtime=0)

@@ -47,3 +47,20 @@ def test_built_files_are_kept_for_good_and_others_for_an_hour(tmp_path: Path) ->
 def test_nothing_outside_the_folder_is_served(client: TestClient) -> None:
     for path in ("/static/../app.py", "/static/%2e%2e/app.py", "/static/..%2fapp.py", "/static/", "/static/none.css"):
         assert client.get(path).status_code == 404, path
+
+
+def test_text_travels_packed_to_those_who_can_unpack_it(client: TestClient) -> None:
+    assets = static_files.find()
+    for address in (*assets.styles, assets.script):
+        packed = client.get(str(address))
+        plain = client.get(str(address), headers={"accept-encoding": "identity"})
+        assert packed.headers["content-encoding"] == "gzip" and "content-encoding" not in plain.headers
+        assert packed.content == plain.content and packed.headers["content-type"] == plain.headers["content-type"]
+        assert int(packed.headers["content-length"]) * 2 < int(plain.headers["content-length"])
+    font = client.get(assets.fonts[0])
+    assert "content-encoding" not in font.headers
+
+
+def test_a_part_of_a_file_is_given_as_it_lies(client: TestClient) -> None:
+    part = client.get(str(static_files.find().script), headers={"range": "bytes=0-9"})
+    assert part.status_code == 206 and len(part.content) == 10
