@@ -44,6 +44,7 @@ from server.passwords import Passwords
 from server.reader import admit
 from server.sets import api as task_sets
 from server.sets import handing
+from server.sets import pages as set_pages
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
 
@@ -69,6 +70,7 @@ ROUTERS = (
     account_pages.router,
     course_pages.router,
     task_sets.router,
+    set_pages.router,
 )
 log = logging.getLogger("grubler")
 

@@ -6,6 +6,7 @@ import secrets
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Request
@@ -24,6 +25,7 @@ from server.laboratory import laboratory, without_empty
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit, remember
 from server.receipts import whole
+from server.sets.standing import on_page
 from server.storage import Dealt, Draft
 from server.submissions import Graded, graded, receipted, submit
 from server.templating import counted, page
@@ -198,6 +200,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "right": sum(verdict.outcome == "right" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
         "key": secrets.token_hex(8),
+        **(await on_page(bench, dealt.id, datetime.now(UTC)) if dealt.code else {"task": None}),
         "solution": await solution_is_open(bench, reader, dealt),
     }
     template = "laboratory.html" if lab else "workspace.html"

@@ -140,6 +140,13 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/api/v1/task-sets/{task_set}/extend"): SET_LECTURER,
     ("POST", "/api/v1/task-sets/{task_set}/copy"): SET_LECTURER,
     ("GET", "/api/v1/task-sets/{task_set}/items/{number}/sheets.{form}"): SET_LECTURER,
+    ("GET", "/courses/{course}/sets"): COURSE_STUDENT,
+    ("POST", "/courses/{course}/sets"): COURSE_LECTURER,
+    ("GET", "/sets/{task_set}"): SET_STUDENT,
+    ("POST", "/sets/{task_set}"): SET_LECTURER,
+    ("POST", "/sets/{task_set}/items/{number}"): SET_STUDENT,
+    ("POST", "/sets/{task_set}/extend"): SET_LECTURER,
+    ("POST", "/sets/{task_set}/copy"): SET_LECTURER,
     ("GET", "/static"): Role.ANONYMOUS,
 }
 

@@ -49,6 +49,11 @@ def local(moment: datetime, place: ZoneInfo) -> str:
     return moment.astimezone(place).strftime("%Y-%m-%dT%H:%M")
 
 
+def spoken(moment: datetime | None, place: ZoneInfo) -> str:
+    """Write a moment in local time as a page says it; a dash where there is none."""
+    return local(moment, place).replace("T", " ") if moment else "—"
+
+
 def shifted(moment: datetime, days: int, place: ZoneInfo) -> datetime:
     """Move a moment by whole days; the hour on the wall stays."""
     wall = moment.astimezone(place).replace(tzinfo=None) + timedelta(days=days)

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from functools import partial
+from typing import Any
 
 from server.bench import Bench
-from server.sets.handing import rules_of, window_of
+from server.sets import clock
+from server.sets.handing import faulty, rules_of, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
 from server.storage.sets import Card, Line, Slot, TaskSet
 
@@ -103,3 +106,24 @@ async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> 
         return own.share
     earlier = await standing(bench, first, person, now)
     return combined(earlier.share, own.share if own.taken else None)
+
+
+async def on_page(bench: Bench, variant: str, now: datetime) -> dict[str, Any]:
+    """Give what the page of a variant shows of its set; nothing of it is there in practice."""
+    place = await bench.sets.place(variant)
+    if place is None:
+        return {"task": None}
+    assert place.card.person is not None
+    course = await bench.courses.course(place.task_set.course)
+    assert course is not None
+    own = await standing(bench, place.task_set, place.card.person, now)
+    task = own.tasks[place.slot.number - 1]
+    last = await bench.storage.latest(variant)
+    return {
+        "task": task,
+        "own": own,
+        "task_open": own.stage in (Stage.OPEN, Stage.LATE) and task.left != 0,
+        "spoilt": last is not None and faulty(last),
+        "zone": course.time_zone,
+        "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
+    }

@@ -1,0 +1,147 @@
+"""Pages of task sets: the list of a course, a student's set, the builder with its preview."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Depends, Path, Query, Request
+from pydantic import ValidationError
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+
+from exercises import catalogue, presenting
+from exercises.variants import MAX_SEED
+from server import forms
+from server.bench import Bench, Tools
+from server.courses import here
+from server.errors import Refused
+from server.exercises import sample
+from server.policy import CourseRole
+from server.reader import Asking, Reader, admit
+from server.sets import building, clock
+from server.sets.api import listed, own_variant, published, set_of, slot_of
+from server.sets.building import Draft
+from server.sets.form import draft_of_form, written
+from server.sets.previewing import preview
+from server.sets.standing import final, standing
+from server.storage.sets import TaskSet
+from server.templating import page
+
+router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+Seed = Annotated[int, Query(ge=0, le=MAX_SEED)]
+Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
+
+
+@router.get("/courses/{course}/sets")
+async def show_sets(course: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """List the sets of a course; a student sees how each stands."""
+    found, person = await listed(bench, reader), reader.person
+    staff = here(reader).role >= CourseRole.ASSISTANT
+    now = datetime.now(UTC)
+    own = {one.id: await standing(bench, one, person.id, now) for one in found if person and not staff}
+    context = {"sets": found, "own": own, "lecturer": here(reader).role is CourseRole.LECTURER}
+    return page(request, reader.language, "sets.html", context | _common(reader))
+
+
+@router.post("/courses/{course}/sets")
+async def start_set(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Start a set and go to the builder."""
+    title = (await forms.read(request)).values.get("title", "").strip()
+    made = await building.add(bench, here(reader).course, _checked({"title": title}))
+    return RedirectResponse(f"/sets/{made.id}", 303)
+
+
+@router.get("/sets/{task_set}")
+async def show_set(
+    task_set: str, request: Request, bench: Tools, reader: Asking,
+    slot: Annotated[int, Query(ge=1, le=building.MOST_SLOTS)] = 1, seed: Seed = 1, table: bool = False,
+) -> HTMLResponse:  # fmt: skip
+    """Show a set: to a student the tasks, to those who teach it the builder."""
+    found = await set_of(bench, reader, task_set)
+    if here(reader).role >= CourseRole.ASSISTANT:
+        return await _builder(request, bench, reader, found, slot, seed, table)
+    assert reader.person is not None
+    now = datetime.now(UTC)
+    own = await standing(bench, found, reader.person.id, now)
+    titles = {task.slot.number: task.card.shown[reader.language]["title"] if task.card else None for task in own.tasks}
+    context = {"own": own, "share": await final(bench, found, reader.person.id, now), "titles": titles}
+    return page(request, reader.language, "set.html", context | _common(reader))
+
+
+@router.post("/sets/{task_set}")
+async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Save the draft as the form has it, and publish it if that was asked."""
+    old, values = await set_of(bench, reader, task_set), (await forms.read(request)).values
+    revision = values.get("revision", "")
+    if not (revision.isascii() and revision.isdecimal() and len(revision) < 10):
+        raise Refused(422, "out_of_range", field="revision", name="revision")
+    draft = _checked(draft_of_form(values))
+    new = await building.change(bench, old, here(reader).course, draft, int(revision))
+    if values.get("then") == "publish":
+        await published(bench, reader, new)
+    return RedirectResponse(f"/sets/{new.id}", 303)
+
+
+@router.post("/sets/{task_set}/items/{number}")
+async def open_item(task_set: str, number: Number, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Deal a student's card, or give the one dealt before, and go there."""
+    another = (await forms.read(request)).values.get("another") == "yes"
+    found = await set_of(bench, reader, task_set)
+    variant = await own_variant(bench, reader, found, slot_of(found, number), another)
+    return RedirectResponse(f"/variants/{variant}", 303)
+
+
+@router.post("/sets/{task_set}/extend")
+async def extend_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Move the open deadlines of a set."""
+    text = (await forms.read(request)).values.get("minutes", "").strip()
+    if not (text.isascii() and text.isdecimal() and 1 <= int(text[:6]) <= 100_000 and len(text) <= 6):
+        raise Refused(422, "out_of_range", field="minutes", name="minutes")
+    await building.extend(bench, [await set_of(bench, reader, task_set)], int(text), datetime.now(UTC))
+    return RedirectResponse(f"/sets/{task_set}", 303)
+
+
+@router.post("/sets/{task_set}/copy")
+async def copy_set(task_set: str, bench: Tools, reader: Asking) -> Response:
+    """Copy a set as a draft and go there."""
+    made = await building.copy(bench, await set_of(bench, reader, task_set), here(reader).course, 0)
+    return RedirectResponse(f"/sets/{made.id}", 303)
+
+
+def _checked(written: Mapping[str, Any]) -> Draft:
+    try:
+        return Draft.model_validate(written)
+    except ValidationError as error:
+        field = ".".join(map(str, error.errors()[0]["loc"]))
+        raise Refused(422, "wrong_type", field=field, name=field) from None
+
+
+def _common(reader: Reader) -> dict[str, Any]:
+    course = here(reader).course
+    return {"course": course, "local": partial(clock.spoken, place=clock.zone(course.time_zone))}
+
+
+async def _builder(
+    request: Request, bench: Bench, reader: Reader, found: TaskSet, number: int, seed: int, table: bool
+) -> HTMLResponse:
+    slot = found.slots[min(number, len(found.slots)) - 1] if found.slots else None
+    place = clock.zone(here(reader).course.time_zone)
+    context = {
+        "task_set": found,
+        "written": written(found, place),
+        "lecturer": here(reader).role is CourseRole.LECTURER,
+        "students": len(await bench.sets.students(found.course)),
+        "slot": slot,
+        "seed": seed,
+        "last_seed": MAX_SEED,
+        "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table) if slot else None,
+        "catalogue": [(one, (await _title(bench, one, reader.language))) for one in catalogue.ids()],
+    }
+    return page(request, reader.language, "builder.html", context | _common(reader))
+
+
+async def _title(bench: Bench, exercise: str, language: str) -> str:
+    shown: presenting.Presented = await bench.judging.run(sample, exercise, language)
+    return shown.title

@@ -1,0 +1,45 @@
+"""What a lecturer sees of an exercise before it is published: any seed, and twenty seeds in a table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from exercises import presenting
+from exercises.grading import reference
+from exercises.variants import MAX_SEED, deal
+
+ROWS = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One seed: the numbers drawn, and the answers they lead to."""
+
+    seed: int
+    givens: tuple[str, ...]
+    answers: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A variant as a student sees it, and the seeds that follow."""
+
+    exercise: str
+    shown: presenting.Presented
+    prompts: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+def preview(exercise: str, seed: int, language: str, table: bool) -> Seen:
+    """Show a seed of an exercise; with a table, twenty from this one on."""
+    shown = presenting.presented(deal(exercise, seed), language)
+    seeds = range(seed, min(seed + ROWS, MAX_SEED + 1)) if table else ()
+    prompts = tuple(field.prompt_text for field in shown.answers.values())
+    return Seen(exercise, shown, prompts, tuple(_row(exercise, one, language) for one in seeds))
+
+
+def _row(exercise: str, seed: int, language: str) -> Row:
+    variant = deal(exercise, seed)
+    printed = presenting.printed_givens(variant, language)
+    numbers = tuple(f"{one.name} = {one.number} {one.unit}".rstrip() for one in printed)
+    return Row(seed, numbers, tuple(reference(variant).values()))

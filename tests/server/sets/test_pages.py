@@ -1,0 +1,110 @@
+"""The pages of sets work as plain forms: build, look at seeds, publish, open, answer, see the points."""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from server.sets.form import draft_of_form
+from tests.server.sets.conftest import EXERCISE, Course, moment
+
+
+def fields(page: str) -> dict[str, str]:
+    """The fields of the builder as the browser would send them."""
+    form = page[page.index('name="revision"') - 40 : page.index('name="then"')]
+    found = {match[1]: unescape(match[2]) for match in re.finditer(r'name="([\w.]+)"(?:[^>]*?) value="([^"]*)"', form)}
+    for match in re.finditer(r'<select id="\w+" name="(\w+)">(.*?)</select>', form, re.DOTALL):
+        chosen = re.search(r'value="([^"]*)" selected', match[2])
+        found[match[1]] = chosen[1] if chosen else ""
+    for button in ("move", "remove"):
+        found.pop(button, None)
+    return found
+
+
+def started(course: Course) -> str:
+    path = f"/courses/{course.school.course}/sets"
+    reply = course.lecturer.post(path, data={"title": "Set 7"})
+    assert reply.status_code == 303, reply.text
+    found: str = reply.headers["location"]
+    return found
+
+
+def saved(browser: TestClient, path: str, **changes: str) -> Any:
+    reply = browser.post(path, data=fields(browser.get(path).text) | changes)
+    assert reply.status_code == 303, reply.text
+    return browser.get(path)
+
+
+def test_a_set_is_built_published_and_answered_without_script(course: Course) -> None:
+    path, lecturer, student = started(course), course.lecturer, course.student
+    saved(lecturer, path, add="planetary")
+    page = saved(lecturer, path, add=EXERCISE, **{"slot.1.points": "2,5"})
+    assert fields(page.text)["slot.1.points"] == "2.5" and 'value="planetary"' in page.text
+    page = saved(lecturer, path, move="2", **{"slot.2.limits": "l1 0,05 0,08", "slot.2.attempts": "2"})
+    assert fields(page.text)["slot.1.limits"] == "l1 0.05 0.08"
+    page = saved(lecturer, path, remove="2", due="2030-01-31T12:00")
+    assert "slot.2.pool" not in fields(page.text) and "2030-01-31 12:00" in page.text
+    assert student.get(path).status_code == 404
+    page = saved(lecturer, path, then="publish")
+    assert 'name="then"' not in page.text and "sheets.pdf" in page.text
+    assert "Set 7" in student.get(f"/courses/{course.school.course}/sets").text
+    opened = student.post(f"{path}/items/1", data={"another": "no"})
+    workspace = student.get(opened.headers["location"] + "?lang=en")
+    assert "Check answers (attempt 1 of 2)" in workspace.text and "2030-01-31 12:00" in workspace.text
+    code = course.card(path.rsplit("/", 1)[1]).code
+    assert code in workspace.text and code in student.get(path).text
+    graded = student.post(opened.headers["location"], data={"answer.l3": "1 m"})
+    assert graded.status_code == 303, graded.text
+    workspace = student.get(graded.headers["location"].split("#")[0] + "&lang=en")
+    assert "Check answers (attempt 2 of 2)" in workspace.text and "1 of 2" in workspace.text
+
+
+@pytest.mark.parametrize("language", ["pl", "en", "ru"])
+def test_the_builder_shows_any_seed_in_any_language_and_twenty_in_a_table(course: Course, language: str) -> None:
+    number = course.built()
+    page = course.lecturer.get(f"/sets/{number}?slot=1&seed=1042&table=true&lang={language}").text
+    alone = course.lecturer.get(f"/sets/{number}?slot=1&seed=1042&lang={language}").text
+    assert len(re.findall(r'<th scope="row" class="num">\d+</th>', page)) == 20 and "<svg" in page
+    assert "seed=1041" in page and "seed=1043" in page and "<caption>" not in alone
+
+
+def test_a_student_sees_the_rules_and_the_points_before_the_click(course: Course) -> None:
+    number = course.published(rules={"mode": "exam", "minutes": 90}, opens=moment(hours=-1))
+    page = course.student.get(f"/sets/{number}?lang=en").text
+    for said in ("This is an examination", "90 min", "Worth 10 points", "Attempts used: 0 of 2", "Open task 1"):
+        assert said in page
+    path = course.student.post(f"/sets/{number}/items/1", data={"another": "no"}).headers["location"]
+    graded = course.student.post(path, data={"answer.l3": "1 m"}).headers["location"].split("#")[0]
+    assert "You see the result after the set closes." in course.student.get(f"{graded}&lang=en").text
+
+
+def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> None:
+    path = started(course)
+    browser = {"accept": "text/html"}
+    values = fields(course.lecturer.get(path).text)
+    reply = course.lecturer.post(f"{path}?lang=en", data=values | {"then": "publish"}, headers=browser)
+    assert reply.status_code == 422 and "There is no exercise in the set yet." in reply.text
+    stale = course.lecturer.post(path, data=values, headers=browser)
+    assert stale.status_code == 409
+    wrong = values | {"revision": "2", "slot.1.pool": EXERCISE, "slot.1.attempts": "many"}
+    assert course.lecturer.post(path, data=wrong).json()["error"]["field"] == "items.0.attempts"
+
+
+def test_deadlines_move_and_sets_are_copied_from_the_page(course: Course) -> None:
+    number = course.published()
+    before = course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"]
+    assert course.lecturer.post(f"/sets/{number}/extend", data={"minutes": "15"}).status_code == 303
+    assert course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"] > before
+    assert course.lecturer.post(f"/sets/{number}/extend", data={"minutes": "x"}).status_code == 422
+    copied = course.lecturer.post(f"/sets/{number}/copy").headers["location"]
+    assert 'name="then"' in course.lecturer.get(copied).text
+
+
+def test_what_is_strange_in_the_form_is_left_for_the_schema() -> None:
+    found = draft_of_form({"title": "x", "slot.1.pool": "a, b", "slot.1.limits": "l1 1;  ", "late_loss": "much"})
+    assert found["items"] == [{"pool": ["a", "b"], "points": "1", "attempts": None, "limits": {"l1": ["1"]}}]
+    assert found["rules"]["late_loss"] == "much" and found["due"] is None
