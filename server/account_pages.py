@@ -118,6 +118,7 @@ async def _account(
         "tokens": await bench.people.tokens(person.id),
         "roles": [role.name.lower() for role in Role if Role.ANONYMOUS < role <= reader.role],
         "least": SHORTEST,
+        "oidc": bench.settings.provider is not None and person.issuer is None,
         "problem": None,
         "fresh_token": None,
     }

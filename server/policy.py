@@ -107,6 +107,8 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("GET", "/signin"): Role.ANONYMOUS,
     ("POST", "/signin"): Role.ANONYMOUS,
     ("POST", "/signout"): Role.ANONYMOUS,
+    ("GET", "/oidc"): Role.ANONYMOUS,
+    ("GET", "/oidc/callback"): Role.ANONYMOUS,
     ("GET", "/join"): Role.ANONYMOUS,
     ("GET", "/join/{code}"): Role.ANONYMOUS,
     ("POST", "/join/{code}"): Role.ANONYMOUS,

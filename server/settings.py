@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from ipaddress import ip_address
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -15,6 +15,21 @@ LOGS = ("text", "json")
 
 class SettingsError(ValueError):
     """A setting cannot be used; the message names it and says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Provider:
+    """The one OpenID Connect issuer that may vouch for people; its endpoints are on the issuer's own host.
+
+    Attributes:
+        issuer: Its address: https, or plain http on a loopback address.
+        client_id: How it knows this server.
+        client_secret: What this server shows there; none for a public client.
+    """
+
+    issuer: str
+    client_id: str
+    client_secret: str | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +46,7 @@ class Settings:
         insecure_http: Whether a plain-http address other than loopback is allowed.
         limited: Whether posts of one person and of one address are limited.
         log: "text" for warnings only, "json" for a line of every request.
+        provider: Who else vouches for people.
     """
 
     data_dir: Path = Path("data")
@@ -42,6 +58,7 @@ class Settings:
     insecure_http: bool = False
     limited: bool = True
     log: str = "text"
+    provider: Provider | None = None
 
     @property
     def store_url(self) -> str:
@@ -87,7 +104,7 @@ def from_environment(
     """Make settings from the environment; what is given by name goes before it.
 
     Raises:
-        SettingsError: GRUBLER_PORT is not a port, or GRUBLER_LOG no kind of log.
+        SettingsError: GRUBLER_PORT is not a port, GRUBLER_LOG no kind of log, or the issuer is named by halves.
     """
     secret = environ.get("GRUBLER_SECRET")
     return Settings(
@@ -99,7 +116,17 @@ def from_environment(
         public_url=public_url or environ.get("GRUBLER_PUBLIC_URL") or None,
         insecure_http=insecure_http,
         log=_log(environ.get("GRUBLER_LOG") or "text"),
+        provider=_provider(environ),
     )
+
+
+def _provider(environ: Mapping[str, str]) -> Provider | None:
+    issuer, client = environ.get("GRUBLER_OIDC_ISSUER"), environ.get("GRUBLER_OIDC_CLIENT_ID")
+    if not issuer and not client:
+        return None
+    if not issuer or not client or urlsplit(issuer).scheme not in ("https", "http"):
+        raise SettingsError("GRUBLER_OIDC_ISSUER must be an address, with GRUBLER_OIDC_CLIENT_ID beside it")
+    return Provider(issuer, client, environ.get("GRUBLER_OIDC_CLIENT_SECRET") or None)
 
 
 def _log(kind: str) -> str:

@@ -142,7 +142,8 @@ def _page(
     request: Request, reader: Reader, name: str, context: dict[str, Any], refused: Refused | None = None
 ) -> HTMLResponse:
     """Render a page; what was refused is said above the form, and what was typed stands in it again."""
-    told: dict[str, Any] = {"problem": None, "wait": None, "least": SHORTEST, "oidc": False}
+    told: dict[str, Any] = {"problem": None, "wait": None, "least": SHORTEST}
+    told["oidc"] = request.app.state.settings.provider is not None
     if refused is not None:
         told["problem"] = language.say(reader.language, f"errors.{refused.code}", **refused.values)
         told["wait"] = (refused.headers or {}).get("Retry-After")

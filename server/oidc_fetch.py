@@ -1,0 +1,96 @@
+"""Calls to a registered issuer: its own host alone, no private address, no redirect, a bounded answer."""
+
+from __future__ import annotations
+
+import json
+import socket
+import ssl
+from collections.abc import Mapping
+from http.client import HTTPConnection, HTTPException, HTTPSConnection
+from ipaddress import ip_address
+from typing import Any
+from urllib.parse import urlencode, urlsplit
+
+LARGEST = 256 * 1024  # bytes of an answer
+PATIENCE = 5.0  # s
+
+
+class Unreachable(RuntimeError):
+    """The issuer does not answer as it should; the message says why."""
+
+
+def fetch(issuer: str, url: str, form: Mapping[str, str] | None = None) -> dict[str, Any]:
+    """Get a JSON object from the issuer, or post a form to it.
+
+    Args:
+        issuer: The registered issuer; plain http and a loopback address are for an issuer that itself is one.
+        url: What is fetched, on the issuer's own host.
+        form: What is posted.
+
+    Raises:
+        Unreachable: Another host, a private address, no answer in time, too much of it, or no JSON object.
+    """
+    ours, there = urlsplit(issuer), urlsplit(url)
+    if (there.scheme, there.netloc) != (ours.scheme, ours.netloc):
+        raise Unreachable(f"{url} is not on the host of the issuer")
+    try:
+        return _asked(there.scheme, there.hostname or "", there.port, _path(url), form)
+    except (OSError, HTTPException, ValueError) as error:
+        raise Unreachable(str(error)) from error
+
+
+def _asked(scheme: str, host: str, port: int | None, path: str, form: Mapping[str, str] | None) -> dict[str, Any]:
+    connection = _connection(scheme, host, port)
+    try:
+        headers = {"Accept": "application/json"}
+        if form is None:
+            connection.request("GET", path, headers=headers)
+        else:
+            posted = {"Content-Type": "application/x-www-form-urlencoded"}
+            connection.request("POST", path, urlencode(form), headers | posted)
+        reply = connection.getresponse()
+        raw = reply.read(LARGEST + 1)
+    finally:
+        connection.close()
+    if reply.status != 200 or len(raw) > LARGEST:
+        raise Unreachable(f"{path} answers {reply.status} with {len(raw)} bytes")
+    answer = json.loads(raw)
+    if not isinstance(answer, dict):
+        raise Unreachable(f"{path} answers no JSON object")
+    return answer
+
+
+def _connection(scheme: str, host: str, port: int | None) -> HTTPConnection:
+    """Connect to the address that was checked: a name that is resolved again could lead elsewhere."""
+    address = _address(scheme, host, port or (443 if scheme == "https" else 80))
+    wire = socket.create_connection(address, timeout=PATIENCE)
+    if scheme == "https":
+        secure = HTTPSConnection(host, port, timeout=PATIENCE)
+        secure.sock = ssl.create_default_context().wrap_socket(wire, server_hostname=host)
+        return secure
+    plain = HTTPConnection(host, port, timeout=PATIENCE)
+    plain.sock = wire
+    return plain
+
+
+def _address(scheme: str, host: str, port: int) -> tuple[str, int]:
+    named_loopback = _loopback(host)
+    if scheme != "https" and not named_loopback:
+        raise Unreachable(f"{host} is not asked over plain http")
+    found = {str(info[4][0]) for info in socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)}
+    for address in found:
+        if not ip_address(address).is_global and not (named_loopback and ip_address(address).is_loopback):
+            raise Unreachable(f"{host} has the private address {address}")
+    return sorted(found)[0], port
+
+
+def _loopback(host: str) -> bool:
+    try:
+        return ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def _path(url: str) -> str:
+    there = urlsplit(url)
+    return (there.path or "/") + (f"?{there.query}" if there.query else "")
