@@ -214,7 +214,8 @@ def plausible(value: Value, right: Value, counts: bool = False) -> bool:
 def _filled(matrix: Matrix) -> tuple[float, float]:
     """Give the largest entry of a matrix, and the share of entries that are not negligible beside it."""
     entries = [abs(entry) for row in matrix for entry in row]
-    return max(entries), sum(entry > max(entries) / PLAUSIBLE**2 for entry in entries) / len(entries)
+    largest = max(entries)
+    return largest, sum(entry > largest / PLAUSIBLE**2 for entry in entries) / len(entries)
 
 
 def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> dict[str, Value | Tree]:

@@ -16,6 +16,7 @@ JUDGED = 1000  # rows that are judged of a long table, evenly spread
 TRIED = 16  # rows on which shifts are tried
 SHIFTS = 36
 HALVINGS = 20
+HOPELESS = 0.6  # of an amplitude: no shift in reach of the grid has so great an error
 WIDEST = 0.1  # gap between phases, of a cycle
 LOOSE = 2.0  # tolerances within which a slip is recognised
 ALIKE = 2e-3  # of the largest: a difference quotient printed with few figures
@@ -53,11 +54,11 @@ class Beside:
     phases: tuple[float, ...]  # whole cycles not taken off
     typed: dict[int, tuple[float, ...]]  # by number of the ordinate
 
-    def far(self, number: int, warp: Callable[[float], float], sign: float = 1.0) -> float:
-        """Give the largest error of a column in tolerances, against the cycle at warped phases."""
-        scale = self.rule.rtol * self.cycle.scales[number]
+    def within(self, bound: float, number: int, warp: Callable[[float], float], sign: float = 1.0) -> bool:
+        """Tell whether a column keeps to a number of tolerances, against the cycle at warped phases."""
+        most = bound * self.rule.rtol * self.cycle.scales[number]
         pairs = zip(self.phases, self.typed[number], strict=True)
-        return max(abs(y - sign * self.cycle.at(number, self.cycle.knot(warp(u)))) for u, y in pairs) / scale
+        return all(abs(y - sign * self.cycle.at(number, self.cycle.knot(warp(u)))) <= most for u, y in pairs)
 
     def true(self, number: int) -> list[float]:
         """Give the true ordinates at the judged rows."""
@@ -101,7 +102,7 @@ def _placed(slip: Slip, phase: float, seen: Beside, absolute: bool) -> Remark:
 
 def off(seen: Beside) -> list[int]:
     """Give the columns that are not within the tolerance."""
-    return [number for number in seen.typed if not seen.far(number, _same) <= 1 + 1e-9]
+    return [number for number in seen.typed if not seen.within(1 + 1e-9, number, _same)]
 
 
 def remarks(seen: Beside, table: Table, wrong: Sequence[int]) -> Iterator[Remark]:
@@ -119,12 +120,12 @@ def remarks(seen: Beside, table: Table, wrong: Sequence[int]) -> Iterator[Remark
 def _whole(seen: Beside) -> Remark | None:
     """Try the slips of the abscissa, which leave no column right; a column alone has its own names for them."""
     signs = {number: (-1.0) ** seen.rule.order(seen.rule.ordinates[number]) for number in seen.typed}
-    if all(seen.far(number, lambda u: -u, signs[number]) <= LOOSE for number in seen.typed):
+    if all(seen.within(LOOSE, number, lambda u: -u, signs[number]) for number in seen.typed):
         return Remark(Slip.REVERSED)
-    if seen.rule.abscissae > 1 and all(seen.far(number, _degrees(seen.cycle)) <= LOOSE for number in seen.typed):
+    if seen.rule.abscissae > 1 and all(seen.within(LOOSE, number, _degrees(seen.cycle)) for number in seen.typed):
         return Remark(Slip.DEGREES)
     shift = _shift(seen)
-    if all(seen.far(number, lambda u: u + shift) <= LOOSE for number in seen.typed):
+    if all(seen.within(LOOSE, number, lambda u: u + shift) for number in seen.typed):
         return _placed(Slip.DELAYED, (shift + 0.5) % 1.0 - 0.5, seen, False)
     return None
 
@@ -154,6 +155,8 @@ def _shift(seen: Beside) -> float:
         )
 
     best = min((k / SHIFTS for k in range(SHIFTS)), key=error)
+    if error(best) > HOPELESS:
+        return best
     low, high = best - 1 / SHIFTS, best + 1 / SHIFTS
     for _ in range(HALVINGS):
         third = (high - low) / 3
@@ -166,7 +169,7 @@ def _shift(seen: Beside) -> float:
 
 def _column(seen: Beside, table: Table, number: int, wrong: Sequence[int]) -> Slip:
     """Name what is off in one column."""
-    if seen.far(number, _same, -1.0) <= LOOSE:
+    if seen.within(LOOSE, number, _same, -1.0):
         return Slip.COLUMN_SIGN
     y, r = seen.typed[number], seen.true(number)
     tolerance = LOOSE * seen.rule.rtol * seen.cycle.scales[number]

@@ -12,6 +12,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from exercises.exercise import Submission
+from exercises.grading import grade
+from exercises.variants import deal
 from graders import AnswerSyntaxError, Code, Series, Symbols
 from graders.cycle.curve import Rows, cycle_of
 from graders.cycle.table import LARGEST, MOST_ROWS, Column
@@ -313,3 +316,11 @@ def test_the_longest_table_is_judged_in_time() -> None:
     zero = "t;x;v;a\n" + "\n".join(f"{k * 2 * pi / SPEED / 9999:.9f};0;{k % 7};1" for k in range(MOST_ROWS))
     for text in (table(rows=9_000), zero, "1;" * 250_000, "\n" * 499_999 + "a"):
         assert effort(partial(read, text)) < 1.0  # tens of milliseconds on a free core; minutes if it grew as a square
+
+
+def test_a_long_wrong_table_is_graded_with_little_work() -> None:
+    variant = deal("slider_crank_cycle", 3)
+    rows = "\n".join(f"{k / 10_000};{k % 97};{k % 13};{k % 7}" for k in range(6600))
+    submission = Submission(variant, {"cycle": f"t;x;v;a\n{rows}"})
+    assert grade(submission).verdicts["cycle"].code is Code.NO_MARKS
+    assert effort(lambda: grade(submission), 2) < 0.5  # ten times quicker than its square would be
