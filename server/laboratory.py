@@ -165,11 +165,13 @@ class Laboratory:
     last: str
     rod: bool
     slides: tuple[Slide, ...]
-    strip: Strip
+    strip: Strip | None
     polygon: Picture | None
 
 
-def laboratory(variant: Variant, laid: Sequence[Line], language: str, at: int | None) -> Laboratory | None:
+def laboratory(
+    variant: Variant, laid: Sequence[Line], language: str, at: int | None, held: bool = False
+) -> Laboratory | None:
     """Lay out the laboratory of a variant; None for an exercise that is none.
 
     Args:
@@ -177,6 +179,7 @@ def laboratory(variant: Variant, laid: Sequence[Line], language: str, at: int | 
         laid: Its answers as the workspace lays them out.
         language: The reader's language.
         at: The section that was just checked.
+        held: Whether results are held back: then nothing is shown of the true motion.
     """
     exercise = catalogue.load(variant.exercise).exercise
     if not exercise.report or exercise.machine is None:
@@ -192,7 +195,7 @@ def laboratory(variant: Variant, laid: Sequence[Line], language: str, at: int | 
         last=machine.links[-1].end,
         rod=bool(machine.rod),
         slides=slides(machine, language),
-        strip=positions(machine, variant, language),
+        strip=None if held else positions(machine, variant, language),
         polygon=own_polygon(variant, typed, found[4].heading),
     )
 

@@ -29,7 +29,7 @@ from server.sets.standing import on_page
 from server.storage import Dealt, Draft
 from server.submissions import Graded, graded, receipted, submit
 from server.templating import counted, page
-from server.variants import dealt_to, presented, restored, solution_is_open, solved, visible
+from server.variants import dealt_to, presented, restored, results_are_held, solution_is_open, solved, visible
 from server.workspace import lines
 
 SECTIONS = 13  # of the form of report TMM-2
@@ -185,7 +185,8 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
     laid = await lines(bench, variant, shown.answers, work.typed, result, reader.language)
     if catalogue.load(variant.exercise).exercise.report:
         laid = without_empty(laid)
-    lab = await bench.judging.run(laboratory, variant, laid, reader.language, work.section)
+    held = await results_are_held(bench, reader, dealt)
+    lab = await bench.judging.run(laboratory, variant, laid, reader.language, work.section, held)
     judged = result.verdicts.values() if result else ()
     context: dict[str, Any] = {
         "dealt": dealt,

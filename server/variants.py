@@ -335,6 +335,12 @@ async def solved(bench: Bench, reader: Reader, dealt: Dealt) -> tuple[presenting
     return await bench.judging.run(presenting.solution, restored(dealt), reader.language)
 
 
+async def results_are_held(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
+    """Tell whether an examination holds back its results from this reader."""
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    return place is not None and reader.owner_id == dealt.owner.id and handing.is_held(place, datetime.now(UTC))
+
+
 async def solution_is_open(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
     """Tell whether a reader may see the worked solution: by the rules of the set, or in practice."""
     place = await bench.sets.place(dealt.id) if dealt.code else None

@@ -166,7 +166,12 @@ async def lines(
 def _still(graded: Graded, typed: Mapping[str, str]) -> dict[str, Judged]:
     """Give the verdicts whose answers still stand as they were judged."""
     answers = whole(graded.answers)
-    return {name: one for name, one in graded.verdicts.items() if typed.get(name, "") == answers.get(name, "")}
+    return {name: one for name, one in graded.verdicts.items() if _text(typed, name) == _text(answers, name)}
+
+
+def _text(answers: Mapping[str, str], name: str) -> str:
+    """Give an answer with plain line ends: a form sends other ones than a draft."""
+    return answers.get(name, "").replace("\r\n", "\n")
 
 
 def _line(

@@ -19,13 +19,16 @@ from starlette.testclient import TestClient
 import server
 from exercises import catalogue, grading
 from exercises.givens import numbers
+from exercises.presenting import presented
 from exercises.solving import Solved
 from exercises.variants import deal as dealt
 from figures import strip
 from figures.machine import Drive, Link, Machine, Pair
 from graders.words import LANGUAGES
 from reports.words import words
+from server.laboratory import laboratory
 from server.relations import relations
+from server.workspace import Line
 
 REPLAY = Path(server.__file__).parent / "assets/ts/laboratory/replay.ts"
 LABORATORIES = [name for name in catalogue.ids() if catalogue.load(name).exercise.report]
@@ -185,3 +188,12 @@ def test_a_coordinate_moves_by_constant_acceleration() -> None:
     machine = Machine((Drive("q", "r", "s"),), (Pair("turn", "q"),), (Link("l", "A", "B"),), (), 1.0, "l")
     values = {"q": 1.0, "r": 2.0, "s": 4.0, "l": 1.0}
     assert [strip.coordinate_at(machine, values, "q", t) for t in (0, 1, 2)] == [1, 5, 13]
+
+
+@pytest.mark.parametrize(("held", "drawn"), [(False, True), (True, False)])
+def test_five_positions_are_drawn_unless_results_are_held(held: bool, drawn: bool) -> None:
+    variant = dealt("slider_crank_polygon", 7)
+    fields = presented(variant, "en").answers
+    lines = [Line(n, field, "", "", (), (), None, None, None) for n, field in enumerate(fields.values(), 1)]
+    found = laboratory(variant, lines, "en", None, held)
+    assert found is not None and (found.strip is not None) is drawn

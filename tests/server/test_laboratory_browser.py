@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 from exercises import grading
 from exercises.variants import deal
@@ -50,8 +50,10 @@ def test_the_laboratory_from_the_polygon_to_the_report(page: Page, site: Live) -
     expect(page.locator("[data-plot='acceleration'] output")).to_contain_text("m/s²")
     page.press("#lab-l_AB", "End")
     expect(page.locator("[data-lab='ratio']")).to_have_text(f"{float(RIGHT['k_v']):.4f}")
+    expect(page.locator("[data-draft-state]")).to_contain_text("saved")
     page.click("form[data-preview] button.main")
     page.wait_for_selector("#result")
+    assert page.inner_text("#result") == "21 of 23 right"
     assert page.locator(".sections .v .v-right").count() == 6 and page.locator(".sections .v .v-undecided").count() == 2
     page.fill("#person-name", "Anna Nowak")
     for button, head in (("PDF", b"%PDF"), ("Markdown", b"# ")):
@@ -127,3 +129,18 @@ def test_without_script_five_positions_stand_in_the_place_of_the_stage(browser: 
     assert plain.locator(".strip svg:visible").count() == 5
     assert plain.locator("[data-lab='play']:visible").count() == 0
     context.close()
+
+
+def test_while_results_are_held_nothing_of_the_true_motion_is_shown(page: Page, site: Live) -> None:
+    def hold(route: Route) -> None:
+        reply = route.fetch()
+        route.fulfill(response=reply, body=reply.text().replace(" data-laboratory=", " data-held data-laboratory="))
+
+    practise(page, site, "tmm2_oop")
+    page.route(page.url, hold)
+    page.reload()
+    fill(page, "polygon", WRONG)
+    expect(page.locator("[data-lab='note']")).to_contain_text("In an examination")
+    assert page.locator("[data-link='AB']").get_attribute("class") == "f-link"
+    assert page.locator("[data-lab='stage'] .f-ghost").count() == 0
+    assert part(page, "distance") == "–"

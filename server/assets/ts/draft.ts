@@ -179,6 +179,10 @@ class Draft {
       const chosen = target instanceof HTMLElement ? target.dataset["draftTake"] : undefined;
       if (chosen !== undefined) this.take(chosen === "theirs");
     });
+    this.form.addEventListener("submit", () => {
+      clearTimeout(this.timer); // a draft that arrives after what is handed in would pass for a newer one
+      this.since = 0;
+    });
     window.addEventListener("online", () => this.again(0));
     window.addEventListener("pagehide", () => void (this.since !== 0 && this.send(true)));
     window.addEventListener("storage", (event) => void (event.key === this.key && this.heard(event.newValue)));

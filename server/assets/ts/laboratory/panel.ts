@@ -23,6 +23,7 @@ export class Panel {
   private readonly plots: Plot[];
   private readonly clock: Clock;
   private readonly given: Values;
+  private readonly held: boolean; // an examination: no ghost, no check, no distance
   private values: Values;
   private own: Own = NOTHING;
   private motion: Motion;
@@ -35,10 +36,11 @@ export class Panel {
     this.machine = JSON.parse(bench.dataset["laboratory"]!) as Machine;
     this.words = JSON.parse(bench.dataset["words"]!) as Record<string, string>;
     this.numbers = new Numbers(document.documentElement.lang);
+    this.held = bench.dataset["held"] !== undefined;
     this.given = new Map(Object.entries(this.machine.values));
     this.values = new Map(this.given);
     this.motion = this.base = new Motion(this.machine, this.given, this.own);
-    this.stage = new Stage(this.part("stage"), this.machine, this.numbers);
+    this.stage = new Stage(this.part("stage"), this.machine, this.numbers, this.held);
     this.plots = [...document.querySelectorAll<HTMLElement>("[data-plot]")].map((one) => new Plot(one, this.numbers, this.words));
     this.clock = new Clock(document.querySelector<HTMLInputElement>("#lab-t")!, this.machine.span, () => this.show(), (on) => this.playing(on));
     this.listen(form);
@@ -125,7 +127,7 @@ export class Panel {
     this.motion = new Motion(this.machine, this.values, this.own);
     this.stage.fit(this.motion, reach(this.machine, this.values));
     const { axis } = this.machine.plotted[this.axis]!;
-    for (const plot of this.plots) plot.draw(this.motion, axis);
+    for (const plot of this.plots) plot.draw(this.motion, axis, this.held);
     this.tabulate(axis);
     this.show();
   }
@@ -136,13 +138,13 @@ export class Panel {
     const moment = this.motion.at(t);
     const values = valuesAt(this.machine, this.values, t);
     this.stage.draw(moment, values);
-    const found = finding(this.machine, moment, values, this.own.polygon !== null);
-    this.note(found);
+    const typed = this.own.polygon !== null;
+    this.note(this.held && typed ? { kind: "held" } : finding(this.machine, moment, values, typed));
     const places = decimals(reach(this.machine, this.values), 4);
     this.machine.plotted.forEach(({ axis }, at) => {
       this.part(`own-${at}`).textContent = this.numbers.shown(valueOf(moment, "position", axis), places, "m");
     });
-    this.part("distance").textContent = this.numbers.shown(distance(moment), places, "m");
+    if (!this.held) this.part("distance").textContent = this.numbers.shown(distance(moment), places, "m");
     const time = this.numbers.shown(t, decimals(this.machine.span, 3), "s");
     this.part("time-value").textContent = time;
     document.querySelector("#lab-t")!.setAttribute("aria-valuetext", time);

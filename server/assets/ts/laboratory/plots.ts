@@ -37,9 +37,10 @@ export class Plot {
   }
 
   /** Draws both curves of a motion. */
-  draw(motion: Motion, axis: "x" | "y"): void {
+  draw(motion: Motion, axis: "x" | "y", held: boolean): void {
     this.span = motion.machine.span;
     [this.own, this.under] = [motion.curve(this.kind, axis), motion.under(this.kind, axis)];
+    if (held && this.kind === "position") this.under = this.own;
     const [low, high] = extremes(this.own, this.under);
     const y = (value: number): number => BOTTOM - ((BOTTOM - TOP) * (value - low)) / (high - low || 1);
     const way = (curve: readonly number[]): string =>

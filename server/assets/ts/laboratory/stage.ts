@@ -16,15 +16,18 @@ export class Stage {
   private scale = 1;
   private origin: readonly [number, number] = [WIDTH / 2, HEIGHT / 2];
 
-  constructor(drawing: Element, machine: Machine, numbers: Numbers) {
+  private readonly held: boolean; // nothing of the true motion is shown
+
+  constructor(drawing: Element, machine: Machine, numbers: Numbers, held: boolean) {
     this.machine = machine;
+    this.held = held;
     this.numbers = numbers;
     [this.ground, this.moving] = [layer(drawing), layer(drawing)];
   }
 
   /** Chooses the scale so that the whole motion is seen, and draws what does not move. */
   fit(motion: Motion, size: number): void {
-    const seen = motion.moments.flatMap(({ truth, stance }) => [...truth, ...(stance?.nodes ?? [])]);
+    const seen = motion.moments.flatMap(({ truth, stance }) => [...(this.held ? [] : truth), ...(stance?.nodes ?? [])]);
     const near = [{ x: 0, y: 0 }, ...seen].filter(({ x, y }) => Math.hypot(x, y) <= 2.5 * size);
     const [xs, ys] = [near.map(({ x }) => x), near.map(({ y }) => y)];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
@@ -36,9 +39,12 @@ export class Stage {
   /** Draws one moment. */
   draw(moment: Moment, values: Values): void {
     const own = moment.stance?.nodes ?? null;
-    const torn = new Set(broken(this.machine, moment, values).map(({ at }) => at));
-    const shapes = [...this.chain(moment.truth, true, torn), ...(own === null ? [] : this.chain(own, false, torn))];
-    paint(this.moving, [...shapes, ...this.labels(own ?? moment.truth)]);
+    const torn = new Set(this.held ? [] : broken(this.machine, moment, values).map(({ at }) => at));
+    const ghost = this.held ? [] : this.chain(moment.truth, true, torn);
+    const named = own ?? (this.held ? null : moment.truth);
+    paint(this.moving, [
+      ...this.frame(), ...ghost, ...(own === null ? [] : this.chain(own, false, torn)), ...(named === null ? [] : this.labels(named)),
+    ]);
   }
 
   private on({ x, y }: Point): readonly [number, number] {
@@ -63,7 +69,7 @@ export class Stage {
     const end = (nodes: readonly Point[] | undefined): readonly [number, number] =>
       nodes === undefined ? [NaN, NaN] : this.on(nodes.at(-1)!);
     const [truth, own] = [motion.moments.map((one) => end(one.truth)), motion.moments.map((one) => end(one.stance?.nodes))];
-    return [["path", { class: "f-hid", d: path(truth) }], ["path", { class: "f-pos f-1", d: path(own) }]];
+    return [["path", { class: "f-hid", d: this.held ? "" : path(truth) }], ["path", { class: "f-pos f-1", d: path(own) }]];
   }
 
   private chain(nodes: readonly Point[], ghost: boolean, torn: Set<number>): Shape[] {
@@ -72,7 +78,7 @@ export class Stage {
       const style = ghost ? "f-ghost" : torn.has(at) ? "f-load f-heavy" : "f-link";
       return ["path", { class: style, d: path([places[at]!, places[at + 1]!]), "data-link": ghost ? "" : start + end }];
     });
-    return [...(ghost ? this.frame() : []), ...links, ...this.joints(places, ghost)];
+    return [...links, ...this.joints(places, ghost)];
   }
 
   private joints(places: readonly (readonly [number, number])[], ghost: boolean): Shape[] {
