@@ -86,7 +86,9 @@ async def show_problems(bench: Tools, reader: Asking, before: Annotated[datetime
     )
 
 
-@router.post("/problems/{problem}/settle", status_code=204, responses={404: {"model": Failure}})
+@router.post(
+    "/problems/{problem}/settle", status_code=204, responses={404: {"model": Failure}, 422: {"model": Failure}}
+)
 async def settle_problem(problem: str, bench: Tools, reader: Asking) -> None:
     """Note that a problem is settled."""
     await settle(bench, problem)

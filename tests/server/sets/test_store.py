@@ -73,7 +73,7 @@ def school(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 def marked(card: Card, receipt: str, **changes: Any) -> Marked:
     assert card.variant is not None and card.person is not None
     handed = Handed(receipt, card.variant, card.person, {"l3": receipt}, NOW, None, "body", "digest", "pl")
-    return Marked(replace(handed, **changes), {"score": 1.0}, True, "1")
+    return Marked(replace(handed, **changes), {"score": 1.0}, True, "1", card.code)
 
 
 def test_a_draft_is_changed_over_its_own_revision_only(school: School) -> None:
