@@ -71,6 +71,7 @@ LIES: dict[str, dict[str, Any]] = {
     "another issuer": {"iss": "https://evil.example"}, "another audience": {"aud": "moodle"},
     "many audiences": {"aud": [CLIENT, "moodle"]}, "another party": {"azp": "moodle"},
     "another nonce": {"nonce": "x"}, "no nonce": {"nonce": None}, "expired": {"exp": int(time.time()) - 3600},
+    "without end": {"exp": None},
     "no subject": {"sub": None}, "empty subject": {"sub": ""}, "subject of another kind": {"sub": ["u1"]},
     "issued later": {"iat": int(time.time()) + 3600},
 }  # fmt: skip
@@ -115,6 +116,11 @@ def test_the_issuer_does_not_send_us_elsewhere(school: School, issuer: Issuer, p
     asked = browser.get("/oidc" if place == "authorization_endpoint" else f"/oidc/callback?{query}")
     assert (asked.status_code, asked.json()["error"]["code"]) == (503, "provider_down")
     assert asked.headers["retry-after"]
+
+
+def test_another_server_is_not_asked_even_where_it_would_answer(issuer: Issuer) -> None:
+    with running() as other, pytest.raises(Unreachable, match="not on the host"):
+        fetch(issuer.address, f"{other.address}/jwks_uri")
 
 
 def test_an_answer_without_end_is_not_read(school: School, issuer: Issuer) -> None:
