@@ -48,8 +48,8 @@ def _asked(scheme: str, host: str, port: int | None, path: str, form: Mapping[st
         else:
             posted = {"Content-Type": "application/x-www-form-urlencoded"}
             connection.request("POST", path, urlencode(form), headers | posted)
-        reply = connection.getresponse()
-        raw = reply.read(LARGEST + 1)
+        with connection.getresponse() as reply:
+            raw = reply.read(LARGEST + 1)
     finally:
         connection.close()
     if reply.status != 200 or len(raw) > LARGEST:
@@ -66,7 +66,11 @@ def _connection(scheme: str, host: str, port: int | None) -> HTTPConnection:
     wire = socket.create_connection(address, timeout=PATIENCE)
     if scheme == "https":
         secure = HTTPSConnection(host, port, timeout=PATIENCE)
-        secure.sock = ssl.create_default_context().wrap_socket(wire, server_hostname=host)
+        try:
+            secure.sock = ssl.create_default_context().wrap_socket(wire, server_hostname=host)
+        except OSError:
+            wire.close()
+            raise
         return secure
     plain = HTTPConnection(host, port, timeout=PATIENCE)
     plain.sock = wire
