@@ -1,9 +1,12 @@
-"""The processor time of a call: other work on the machine does not count."""
+"""The processor time of a call: other work on the machine does not count, nor does the measuring of coverage."""
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable
+
+TRACED = 3.0  # how many times longer a line takes while its coverage is measured
 
 
 def effort(call: Callable[[], object], tries: int = 3) -> float:
@@ -14,4 +17,4 @@ def effort(call: Callable[[], object], tries: int = 3) -> float:
 def _once(call: Callable[[], object]) -> float:
     start = time.process_time()
     call()
-    return time.process_time() - start
+    return (time.process_time() - start) / (TRACED if sys.gettrace() else 1.0)

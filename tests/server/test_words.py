@@ -14,12 +14,15 @@ from exercises import catalogue
 from exercises.catalogue import Spoken
 from graders import words as graders_words
 from server import language
+from server.exercises import sample
 from tests.server.test_policy import bearer
 
 SILENT = ("math", "script", "style", "svg", "code", "textarea", "template")
 SPOKEN = ("aria-label", "title", "placeholder", "alt")
 SAME = {"Grübler", "polski", "English", "русский", "alpha", "omega", "epsilon"}  # names of languages and of symbols
-NUMBERS = re.compile(r"\b[0-9A-Z]{4}(?:-[0-9A-Z]{4}){2}\b|\b[0-9a-f]{4}(?: [0-9a-f]{4}){3}\b|\b[0-9a-f-]{16,}\b")
+NUMBERS = re.compile(
+    r"\b[0-9A-Z]{4}(?:-[0-9A-Z]{4}){2}\b|\b[0-9a-f]{4}(?: [0-9a-f]{4}){3}\b|\b[0-9a-f-]{16,}\b|\br-[0-9a-f]{10}\b"
+)
 WORD = re.compile(r"[^\W\d_]{4,}")
 VOID = ("input", "link", "meta", "br", "hr")
 
@@ -64,12 +67,14 @@ class Reader(HTMLParser):
 
 @pytest.fixture
 def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Every catalogue of words in brackets."""
+    """Every catalogue of words in brackets; what was made of other words before is forgotten, and so is this."""
+    sample.cache_clear()
     said, judged, spoken = language.words, graders_words.locale, Spoken.__getitem__
     monkeypatch.setattr(language, "words", lambda lang: bracketed(said(lang)))
     monkeypatch.setattr(graders_words, "locale", lambda lang: bracketed(judged(lang)))
     monkeypatch.setattr(Spoken, "__getitem__", lambda self, lang: bracketed(spoken(self, lang)))
     yield
+    sample.cache_clear()
 
 
 def untranslated(page: str, known: set[str]) -> list[str]:

@@ -44,8 +44,10 @@ matrices: st.SearchStrategy[Tree] = st.integers(1, 4).flatmap(
         lambda rows: Grid(tuple(rows))
     )
 )
-relations: st.SearchStrategy[Tree] = st.lists(written, min_size=2, max_size=4).flatmap(
-    lambda sides: st.lists(
-        st.sampled_from(("=", "<", ">", "<=", ">=")), min_size=len(sides) - 1, max_size=len(sides) - 1
-    ).map(lambda operators: Relation(tuple(operators), tuple(sides)))
+# A chain runs in one sense: `a <b> + c`, which would turn round, is read as a bracket of Macaulay.
+senses = st.sampled_from((("=", "<", "<="), ("=", ">", ">=")))
+relations: st.SearchStrategy[Tree] = st.tuples(st.lists(written, min_size=2, max_size=4), senses).flatmap(
+    lambda drawn: st.lists(st.sampled_from(drawn[1]), min_size=len(drawn[0]) - 1, max_size=len(drawn[0]) - 1).map(
+        lambda operators: Relation(tuple(operators), tuple(drawn[0]))
+    )
 )
