@@ -15,6 +15,7 @@ from server.settings import Settings
 from tests.server import axe, components
 from tests.server.conftest import Live
 from tests.server.test_browser import practise, watched
+from tests.server.walking import follow, width
 
 State = Callable[[Page, Live], None]
 ALL_OUTCOMES = {"alpha2": grading.reference(deal("slider_crank", 7))["alpha2"], "l3": "1 mm", "v3": "1 m/"}
@@ -71,13 +72,12 @@ def verdicts(page: Page, site: Live) -> None:
     practise(page, site)
     for name, text in ALL_OUTCOMES.items():
         page.fill(f"[name='answer.{name}']", text)
-    page.click("form[data-preview] button.main")
-    page.wait_for_selector("#result")
+    follow(page, "form[data-preview] button.main")
     page.evaluate("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
 
 
 def solution(page: Page, site: Live) -> None:
-    page.click("a[href$='/solution']")
+    follow(page, "a[href$='/solution']")
 
 
 def visual_editor(page: Page, site: Live) -> None:
@@ -94,7 +94,7 @@ def problems(page: Page, site: Live) -> None:
     practise(page, site)
     page.click("#problem summary")
     page.fill("#problem-text", "The figure and the text disagree.")
-    page.click("#problem button")
+    follow(page, "#problem button")
     token = tokens.issue("lecturer", secret_of(Settings(site.folder).store_url))
     page.context.set_extra_http_headers({"authorization": f"Bearer {token}"})
     page.goto(f"{site.url}/problems")
@@ -121,7 +121,7 @@ def test_axe_finds_nothing_in_light_and_dark_wide_and_narrow(page: Page, site: L
     broken += axe.found(page, looks_only=True)
     assert broken == [], "\n".join(broken)
     page.set_viewport_size({"width": 320, "height": 800})
-    assert page.evaluate("document.documentElement.scrollWidth") <= 320
+    assert width(page) <= 320
 
 
 def test_axe_would_find_a_label_that_is_missing(page: Page, site: Live) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, Route
+from playwright.sync_api import Browser, Page, Route, expect
 
 BUILT = Path(__file__).parents[2] / "server/static/build"
 ENTRY = json.loads((BUILT / "manifest.json").read_text())["main.ts"]
@@ -320,9 +320,9 @@ def test_two_tabs_of_one_browser_agree_at_once(site: Site) -> None:
     other.route(HOME + "**", site._answer)
     other.goto(HOME)
     page.fill("#w", "l1")
-    other.wait_for_function("document.querySelector('#w').value === 'l1'")
+    expect(other.locator("#w")).to_have_value("l1")
     other.check('[value="b"]')
-    page.wait_for_function("document.querySelector('[value=b]').checked")
+    expect(page.locator('[value="b"]')).to_be_checked()
     page.wait_for_selector("[data-draft-state]:text('zapisany')")
     assert site.draft["answers"]["w"] == "l1" and page.is_hidden("[data-draft-conflict]")
 
