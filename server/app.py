@@ -128,7 +128,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     secret = settings.secret or secret_of(settings.store_url)
     app.state.bench = Bench(
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
-        passwords, database.sets,
+        passwords, database.sets, database.audit,
     )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))

@@ -13,6 +13,7 @@ from server.passwords import Passwords
 from server.settings import Settings
 from server.static_files import Assets
 from server.storage import Storage
+from server.storage.audit import Audit
 from server.storage.courses import Courses
 from server.storage.people import People
 from server.storage.sets import Sets
@@ -32,6 +33,7 @@ class Bench:
     courses: Courses
     passwords: Passwords
     sets: Sets
+    audit: Audit
 
 
 async def bench(request: Request) -> Bench:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from server.database.audit import Audit
 from server.database.connections import Connections
 from server.database.courses import Courses
 from server.database.people import People
@@ -17,6 +18,7 @@ class Database:
 
     def __init__(self, url: str) -> None:
         self._connections = Connections(url)
+        self.audit = Audit(self._connections)
         self.practice = Practice(self._connections)
         self.sets = Sets(self._connections)
         self.people = People(self._connections)

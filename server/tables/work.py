@@ -62,7 +62,9 @@ audit = Table(
     Column("actor", String(64), nullable=False),
     Column("action", String(64), nullable=False),
     Column("object", String(128), nullable=False),
+    Column("course", String(32)),  # whose lecturers may read the line
     Column("details", JSON, nullable=False),
     Column("previous", String(64), nullable=False),  # the digest of the line before
     Column("digest", String(64), nullable=False, unique=True),
+    Index(None, "course", "id"),
 )  # fmt: skip

@@ -1,0 +1,103 @@
+"""The audit log: each line carries the digest of the one before, so that a changed or missing line is seen."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from datetime import UTC, datetime
+from typing import TypeVar
+
+from sqlalchemy import Connection, RowMapping, func, insert, select
+
+from server import ids
+from server.database.connections import Connections
+from server.storage.audit import Action, Entry, Line
+from server.tables import audit
+
+T = TypeVar("T")
+LOCK = 0x6C6F  # any number, the same on all hosts: lines are added one after the other
+FIRST = "0" * 64  # what stands before the first line
+AT_ONCE = 1000  # lines read together when the chain is walked
+
+
+class Audit:
+    """The audit log of one store."""
+
+    def __init__(self, connections: Connections) -> None:
+        self._connections = connections
+
+    async def note(self, entry: Entry) -> None:
+        """Write down something that changes nothing else, such as an export."""
+        await self._connections.write(lambda connection: note(connection, entry))
+
+    async def lines(self, course: str | None, before: int | None, most: int) -> Sequence[Line]:
+        """List the lines of a course, or all, before a line, the newest first."""
+        query = select(audit).order_by(audit.c.id.desc()).limit(most)
+        query = query if course is None else query.where(audit.c.course == course)
+        query = query if before is None else query.where(audit.c.id < before)
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [_line(row) for row in rows]
+
+    async def broken(self) -> int | None:
+        """Give the number of the first line that does not fit to the one before it; none where all do."""
+        return await self._connections.read(_broken)
+
+
+def note(connection: Connection, entry: Entry) -> None:
+    """Add a line, in the transaction of what it tells about."""
+    if connection.dialect.name == "postgresql":
+        connection.execute(select(func.pg_advisory_xact_lock(LOCK)))
+    last = select(audit.c.digest).order_by(audit.c.id.desc()).limit(1)
+    previous = connection.execute(last).scalar_one_or_none() or FIRST
+    now = datetime.now(UTC)
+    values = {
+        "time": now, "actor": entry.actor, "action": entry.action.value, "object": entry.object,
+        "course": entry.course, "details": dict(entry.details),
+    }  # fmt: skip
+    connection.execute(insert(audit), values | {"previous": previous, "digest": _digest(previous, now, entry)})
+
+
+def noting(write: Callable[[Connection], T], entry: Entry | None) -> Callable[[Connection], T]:
+    """Make a piece of writing that writes down what it does; where it gives False it did nothing."""
+
+    def written(connection: Connection) -> T:
+        result = write(connection)
+        if entry is not None and result is not False:
+            note(connection, entry)
+        return result
+
+    return written
+
+
+def _digest(previous: str, time: datetime, entry: Entry) -> str:
+    told = [
+        time.astimezone(UTC).isoformat(),
+        entry.actor,
+        entry.action,
+        entry.object,
+        entry.course,
+        dict(entry.details),
+    ]
+    whole = json.dumps(told, sort_keys=True, ensure_ascii=True, allow_nan=False)
+    return ids.digest(b"audit", previous.encode(), whole.encode())
+
+
+def _line(row: RowMapping) -> Line:
+    entry = Entry(row["actor"], Action(row["action"]), row["object"], row["course"], row["details"])
+    return Line(row["id"], row["time"], entry, row["digest"])
+
+
+def _broken(connection: Connection) -> int | None:
+    previous, after = FIRST, 0
+    while rows := _following(connection, after):
+        for row in rows:
+            line = _line(row)
+            if row["previous"] != previous or line.digest != _digest(previous, line.time, line.entry):
+                return line.number
+            previous, after = line.digest, line.number
+    return None
+
+
+def _following(connection: Connection, after: int) -> Sequence[RowMapping]:
+    query = select(audit).where(audit.c.id > after).order_by(audit.c.id).limit(AT_ONCE)
+    return connection.execute(query).mappings().all()
