@@ -11,7 +11,7 @@ from hashlib import sha256
 from hmac import compare_digest
 from hmac import digest as hmac
 from typing import Any
-from urllib.parse import urlencode, urlsplit
+from urllib.parse import urlencode
 
 from joserfc import jwt
 from joserfc.errors import JoseError
@@ -21,7 +21,7 @@ from starlette.concurrency import run_in_threadpool
 from server import identity, ids
 from server.bench import Bench
 from server.errors import Refused
-from server.oidc_fetch import Unreachable, fetch
+from server.oidc_fetch import Unreachable, fetch, trusted
 from server.settings import Provider
 from server.storage.people import Person
 
@@ -58,7 +58,7 @@ async def leave(bench: Bench, onward: str, person: str) -> tuple[str, str]:
         "code_challenge": challenge, "code_challenge_method": "S256",
     }  # fmt: skip
     endpoint = _text((await _described(provider))["authorization_endpoint"])
-    if urlsplit(endpoint)[:2] != urlsplit(provider.issuer)[:2]:
+    if not trusted(provider.issuer, endpoint):
         raise _down()
     return f"{endpoint}{'&' if '?' in endpoint else '?'}{urlencode(asked)}", _sealed(bench, journey)
 

@@ -1,4 +1,4 @@
-"""Calls to a registered issuer: its own host alone, no private address, no redirect, a bounded answer."""
+"""Calls to a registered issuer and to where it sends us: https, no private address, no redirect, a bounded answer."""
 
 from __future__ import annotations
 
@@ -23,20 +23,35 @@ def fetch(issuer: str, url: str, form: Mapping[str, str] | None = None) -> dict[
     """Get a JSON object from the issuer, or post a form to it.
 
     Args:
-        issuer: The registered issuer; plain http and a loopback address are for an issuer that itself is one.
-        url: What is fetched, on the issuer's own host.
+        issuer: The registered issuer; plain http and a loopback address are for an issuer that itself is there.
+        url: What is fetched: at the issuer's own address, or over https on another public host.
         form: What is posted.
 
     Raises:
-        Unreachable: Another host, a private address, no answer in time, too much of it, or no JSON object.
+        Unreachable: A place that is not to be asked, no answer in time, too much of it, or no JSON object.
     """
-    ours, there = urlsplit(issuer), urlsplit(url)
-    if (there.scheme, there.netloc) != (ours.scheme, ours.netloc):
-        raise Unreachable(f"{url} is not on the host of the issuer")
+    if not trusted(issuer, url):
+        raise Unreachable(f"{url} is not asked for {issuer}")
     try:
+        there = urlsplit(url)
         return _asked(there.scheme, there.hostname or "", there.port, _path(url), form)
     except (OSError, HTTPException, ValueError) as error:
         raise Unreachable(str(error)) from error
+
+
+def trusted(issuer: str, url: str) -> bool:
+    """Whether an issuer may send us there: to its own address, or to another host over https at the usual port.
+
+    Whether the host has a public address is seen when it is asked.
+    """
+    try:
+        ours, there = urlsplit(issuer), urlsplit(url)
+        if (there.scheme, there.netloc) == (ours.scheme, ours.netloc):
+            return True
+        named = there.hostname is not None and there.username is None and there.password is None
+        return named and there.scheme == "https" and there.port in (None, 443) and not _loopback(there.hostname or "")
+    except ValueError:
+        return False
 
 
 def _asked(scheme: str, host: str, port: int | None, path: str, form: Mapping[str, str] | None) -> dict[str, Any]:

@@ -1,4 +1,7 @@
-"""Problems that students report of an exercise: they carry the variant, its version and seed; lecturers settle them."""
+"""Problems that students report of an exercise: they carry the variant, its version, and seed or code of the card.
+
+Administrators see all of them, lecturers those of their own students and of people nobody knows; they settle them.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ from starlette.responses import HTMLResponse, RedirectResponse
 from server import forms, ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, unknown_variant
-from server.policy import may_answer
+from server.policy import Role, may_answer
 from server.reader import Asking, Reader, admit
 from server.storage import Problem
 from server.templating import page
@@ -38,13 +41,14 @@ class NewProblem(BaseModel):
 
 
 class ShownProblem(BaseModel):
-    """A reported problem with all that is needed to see the same."""
+    """A reported problem with all that is needed to see the same; a card of a set has a code instead of a seed."""
 
     id: str
     variant: str
     exercise: str
     version: int
-    seed: int
+    seed: int | None
+    code: str | None
     text: str
     time: datetime
 
@@ -76,10 +80,9 @@ async def report_problem(variant: str, new: NewProblem, bench: Tools, reader: As
 
 @router.get("/problems", responses={code: {"model": Failure} for code in (401, 403, 422)})
 async def show_problems(bench: Tools, reader: Asking, before: Annotated[datetime | None, Query()] = None) -> Problems:
-    """List the open problems."""
-    found = await bench.storage.problems(_moment(before), AT_ONCE)
-    names = ShownProblem.model_fields
-    shown = [ShownProblem(**{name: getattr(one, name) for name in names}) for one in found]
+    """List the open problems of one's students, and of people nobody knows."""
+    found = await bench.storage.problems(_moment(before), AT_ONCE, _teacher(reader))
+    shown = [_shown(one) for one in found]
     full = len(found) == AT_ONCE
     return Problems(
         problems=shown, next=f"/api/v1/problems?before={found[-1].time:%Y-%m-%dT%H:%M:%S.%fZ}" if full else None
@@ -91,7 +94,7 @@ async def show_problems(bench: Tools, reader: Asking, before: Annotated[datetime
 )
 async def settle_problem(problem: str, bench: Tools, reader: Asking) -> None:
     """Note that a problem is settled."""
-    await settle(bench, problem)
+    await settle(bench, reader, problem)
 
 
 @pages.post("/variants/{variant}/problem")
@@ -107,14 +110,14 @@ async def send_problem(variant: str, request: Request, bench: Tools, reader: Ask
 @pages.get("/problems")
 async def list_problems(request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show the open problems to a lecturer."""
-    found = await bench.storage.problems(datetime.now(UTC), AT_ONCE)
+    found = await bench.storage.problems(datetime.now(UTC), AT_ONCE, _teacher(reader))
     return page(request, reader.language, "problems.html", {"problems": found})
 
 
 @pages.post("/problems/{problem}")
 async def settle_from_page(problem: str, bench: Tools, reader: Asking) -> RedirectResponse:
     """Settle a problem and go back to the list."""
-    await settle(bench, problem)
+    await settle(bench, reader, problem)
     return RedirectResponse("/problems", 303)
 
 
@@ -133,14 +136,29 @@ async def report(bench: Bench, reader: Reader, number: str, text: str) -> Proble
     return problem
 
 
-async def settle(bench: Bench, number: str) -> None:
+async def settle(bench: Bench, reader: Reader, number: str) -> None:
     """Settle an open problem.
 
     Raises:
-        Refused: 404, there is none.
+        Refused: 404, there is none that concerns the reader.
     """
-    if not (ids.known(number) and await bench.storage.settle_problem(number, datetime.now(UTC))):
+    known = ids.known(number)
+    if not (known and await bench.storage.settle_problem(number, datetime.now(UTC), _teacher(reader))):
         raise Refused(404, "unknown_problem")
+
+
+def _teacher(reader: Reader) -> str | None:
+    """Whose problems a reader sees: all for administrators; who is nobody known teaches nobody."""
+    if reader.role is Role.ADMINISTRATOR:
+        return None
+    return reader.person.id if reader.person else ""
+
+
+def _shown(problem: Problem) -> ShownProblem:
+    return ShownProblem(
+        id=problem.id, variant=problem.variant, exercise=problem.exercise, version=problem.version,
+        seed=None if problem.code else problem.seed, code=problem.code, text=problem.text, time=problem.time,
+    )  # fmt: skip
 
 
 def _moment(before: datetime | None) -> datetime:

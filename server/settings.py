@@ -19,7 +19,7 @@ class SettingsError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Provider:
-    """The one OpenID Connect issuer that may vouch for people; its endpoints are on the issuer's own host.
+    """The one OpenID Connect issuer that may vouch for people; it tells its endpoints, on public hosts over https.
 
     Attributes:
         issuer: Its address: https, or plain http on a loopback address.

@@ -92,13 +92,13 @@ class Practice:
         """Store a reported problem, unless so many of its variant are open already; tells whether it is stored."""
         return await self._connections.write(lambda connection: work.keep_problem(connection, problem, most))
 
-    async def problems(self, before: datetime, number: int) -> list[Problem]:
+    async def problems(self, before: datetime, number: int, teacher: str | None) -> list[Problem]:
         """Give the open problems reported before a moment, the newest first."""
-        return await self._connections.read(lambda connection: work.open_problems(connection, before, number))
+        return await self._connections.read(lambda connection: work.open_problems(connection, before, number, teacher))
 
-    async def settle_problem(self, number: str, time: datetime) -> bool:
-        """Note that a problem is settled; tells whether there was such an open one."""
-        return await self._connections.write(lambda connection: work.settle_problem(connection, number, time))
+    async def settle_problem(self, number: str, time: datetime, teacher: str | None) -> bool:
+        """Note that a problem is settled; tells whether there was such an open one for this teacher."""
+        return await self._connections.write(lambda connection: work.settle_problem(connection, number, time, teacher))
 
     async def purge(self, before: datetime) -> int:
         """Forget anonymous variants that were last used before a moment and of which no problem is open."""
@@ -189,7 +189,7 @@ def _purge(connection: Connection, before: datetime) -> int:
     for table in (drafts, problems):
         connection.execute(delete(table).where(table.c.variant.in_(idle)))
     gone = connection.execute(delete(variants).where(variants.c.id.in_(idle))).rowcount
-    bare = ~exists().where(variants.c.owner == owners.c.id), ~exists().where(submissions.c.owner == owners.c.id)
+    bare = (~exists().where(table.c.owner == owners.c.id) for table in (variants, submissions, problems))
     connection.execute(delete(owners).where(owners.c.anonymous, owners.c.created < before, *bare))
     return gone
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from sqlalchemy import Connection, func, insert, select, update
+from sqlalchemy import ColumnElement, Connection, func, insert, or_, select, update
 
 from server.storage import Draft, Problem
-from server.tables import drafts, problems, variants
+from server.tables import deck, drafts, memberships, owners, problems, variants
 
 
 def draft(connection: Connection, variant: str) -> Draft | None:
@@ -38,15 +38,27 @@ def keep_problem(connection: Connection, problem: Problem, most: int) -> bool:
     return True
 
 
-def open_problems(connection: Connection, before: datetime, number: int) -> list[Problem]:
-    """Give the open problems reported before a moment, the newest first."""
-    dealt = variants.c.exercise, variants.c.version, variants.c.seed
-    mine = problems.c.settled.is_(None), problems.c.time < before
-    query = select(problems, *dealt).join(variants).where(*mine).order_by(problems.c.time.desc()).limit(number)
-    return [Problem(**row._mapping) for row in connection.execute(query)]
+def open_problems(connection: Connection, before: datetime, number: int, teacher: str | None) -> list[Problem]:
+    """Give the open problems reported before a moment that concern a teacher, the newest first."""
+    dealt = variants.c.exercise, variants.c.version, variants.c.seed, deck.c.code
+    mine = problems.c.settled.is_(None), problems.c.time < before, *_concerning(teacher)
+    tables = problems.join(variants).outerjoin(deck, deck.c.variant == variants.c.id)
+    query = select(problems, *dealt).select_from(tables).where(*mine)
+    rows = connection.execute(query.order_by(problems.c.time.desc()).limit(number))
+    return [Problem(**row._mapping) for row in rows]
 
 
-def settle_problem(connection: Connection, number: str, time: datetime) -> bool:
-    """Note that a problem is settled; tells whether there was such an open one."""
-    mine = problems.c.id == number, problems.c.settled.is_(None)
+def settle_problem(connection: Connection, number: str, time: datetime, teacher: str | None) -> bool:
+    """Note that a problem is settled; tells whether there was such an open one for this teacher."""
+    mine = problems.c.id == number, problems.c.settled.is_(None), *_concerning(teacher)
     return connection.execute(update(problems).where(*mine), {"settled": time}).rowcount == 1
+
+
+def _concerning(teacher: str | None) -> tuple[ColumnElement[bool], ...]:
+    """Those that a teacher's students reported, or nobody known; all where no teacher is named."""
+    if teacher is None:
+        return ()
+    courses = select(memberships.c.course).where(memberships.c.person == teacher, memberships.c.role != "student")
+    taught = select(memberships.c.person).where(memberships.c.course.in_(courses), memberships.c.role == "student")
+    unknown = select(owners.c.id).where(owners.c.anonymous)
+    return (or_(problems.c.owner.in_(taught), problems.c.owner.in_(unknown)),)

@@ -89,7 +89,7 @@ class Draft:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What somebody reports of an exercise, with all that is needed to see the same."""
+    """What somebody reports of an exercise, with all that is needed to see the same; a card of a set has a code."""
 
     id: str
     variant: str
@@ -100,6 +100,7 @@ class Problem:
     exercise: str = ""
     version: int = 0
     seed: int = 0
+    code: str | None = None
 
 
 class Storage(Protocol):
@@ -169,12 +170,18 @@ class Storage(Protocol):
         """Store a reported problem, unless so many of its variant are open already; tells whether it is stored."""
         ...
 
-    async def problems(self, before: datetime, number: int) -> list[Problem]:
-        """Give the open problems reported before a moment, the newest first."""
+    async def problems(self, before: datetime, number: int, teacher: str | None) -> list[Problem]:
+        """Give the open problems reported before a moment, the newest first.
+
+        Args:
+            before: The moment.
+            number: How many at most.
+            teacher: Whose students reported them, or nobody known; none for all problems.
+        """
         ...
 
-    async def settle_problem(self, number: str, time: datetime) -> bool:
-        """Note that a problem is settled; tells whether there was such an open one."""
+    async def settle_problem(self, number: str, time: datetime, teacher: str | None) -> bool:
+        """Note that a problem is settled; tells whether there was such an open one for this teacher."""
         ...
 
     async def purge(self, before: datetime) -> int:

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
+from server import oidc_fetch
 from server.migrate import migrate
 from server.oidc_fetch import LARGEST, Unreachable, fetch
 from server.settings import Provider, Settings
@@ -119,8 +120,38 @@ def test_the_issuer_does_not_send_us_elsewhere(school: School, issuer: Issuer, p
 
 
 def test_another_server_is_not_asked_even_where_it_would_answer(issuer: Issuer) -> None:
-    with running() as other, pytest.raises(Unreachable, match="not on the host"):
+    with running() as other, pytest.raises(Unreachable, match="is not asked for"):
         fetch(issuer.address, f"{other.address}/jwks_uri")
+
+
+ELSEWHERE = {  # what large issuers tell in their descriptions
+    "https://accounts.google.com": "https://oauth2.googleapis.com/token",
+    "https://login.microsoftonline.com/4bb1/v2.0": "https://graph.microsoft.com:443/oidc/userinfo",
+    "https://idp.uni.example:8443/realms/x": "https://idp.uni.example:8443/realms/x/token",
+}
+
+
+@pytest.mark.parametrize("issuer", ELSEWHERE)
+def test_an_issuer_may_keep_its_endpoints_on_another_public_host(issuer: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(oidc_fetch, "_asked", lambda scheme, host, *rest: {"asked": f"{scheme}://{host}"})
+    assert ELSEWHERE[issuer].startswith(fetch(issuer, ELSEWHERE[issuer])["asked"])
+
+
+@pytest.mark.parametrize(
+    "url", ["http://oauth2.googleapis.com/token", "https://oauth2.googleapis.com:6379/", "https://127.0.0.1/", "https://",
+            "https://a:b@oauth2.googleapis.com/", "https://[::1]/", "ftp://x.example/", "https://x:y/", "//x.example/"],
+)  # fmt: skip
+def test_an_issuer_sends_us_to_no_other_scheme_port_or_own_machine(url: str) -> None:
+    with pytest.raises(Unreachable, match="is not asked for"):
+        fetch("https://accounts.google.com", url)
+
+
+@pytest.mark.parametrize("address", ["10.0.0.5", "127.0.0.1", "169.254.169.254", "::1", "fd00::1", "0.0.0.0"])
+def test_a_public_name_with_a_private_address_is_not_asked(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    answer = [(0, 0, 0, "", ("203.0.114.9", 443)), (0, 0, 0, "", (address, 443))]
+    monkeypatch.setattr("socket.getaddrinfo", lambda *wanted, **more: answer)
+    with pytest.raises(Unreachable, match="private address"):
+        fetch("https://accounts.google.com", "https://oauth2.googleapis.com/token")
 
 
 def test_an_answer_without_end_is_not_read(school: School, issuer: Issuer) -> None:

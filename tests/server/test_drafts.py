@@ -117,10 +117,10 @@ def test_a_draft_goes_with_its_variant_unless_a_problem_is_open(database: Databa
         assert await practice.keep_problem(problem, 1) and not await practice.keep_problem(replace(problem, id="P2"), 1)
         late = NOW + timedelta(days=1)
         assert await practice.purge(late) == 0
-        (found,) = await practice.problems(late, 9)
+        (found,) = await practice.problems(late, 9, None)
         assert (found.exercise, found.version, found.seed) == ("slider_crank", 4, 2**53 - 1)
-        assert await practice.settle_problem("P1", NOW) and not await practice.settle_problem("P1", NOW)
-        assert await practice.problems(late, 9) == []
+        assert await practice.settle_problem("P1", NOW, None) and not await practice.settle_problem("P1", NOW, None)
+        assert await practice.problems(late, 9, None) == []
         assert await practice.purge(late) == 1 and await practice.draft(VARIANT.id) is None
         with pytest.raises(UnknownVariant):
             await practice.keep_draft(draft)

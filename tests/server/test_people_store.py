@@ -9,7 +9,7 @@ from datetime import UTC, datetime, timedelta
 import pytest
 
 from server.database import Database
-from server.storage import Dealt, Handed, Marked, Owner
+from server.storage import Dealt, Draft, Handed, Marked, Owner, Problem
 from server.storage.courses import Course, Group, Row
 from server.storage.people import Link, Person, Session, Token
 
@@ -189,3 +189,26 @@ def test_practice_taken_over_is_the_person_s_and_is_not_forgotten(kept: Database
         ]
 
     assert asyncio.run(taken()) == [1, 0, 1, 0, Owner(ANNA.id, anonymous=False)]
+
+
+@pytest.mark.parametrize("settled", [False, True])
+def test_what_is_written_around_practice_taken_over_outlives_its_first_owner(kept: Database, settled: bool) -> None:
+    nobody = Owner("o" * 64, anonymous=True)
+    mine, left = (Dealt(f"{sign * 4}-VVVV-VVVV", nobody, "slider_crank", 1, 7, {}, NOW, NOW) for sign in "AB")
+
+    async def taken() -> list[object]:
+        practice = kept.practice
+        await practice.keep_variant(mine)
+        await practice.keep_draft(Draft(mine.id, {"l3": "1"}, NOW, 1))
+        await practice.keep_problem(Problem("P1", mine.id, nobody.id, "x", NOW), 9)
+        await practice.take_over(nobody.id, ANNA.id)
+        await practice.keep_variant(left)
+        await practice.keep_draft(Draft(left.id, {"l3": "2"}, NOW, 1))
+        if settled:
+            await practice.settle_problem("P1", NOW, None)
+        gone = await practice.purge(LATER)
+        drafts = [await practice.draft(one.id) for one in (mine, left)]
+        problems = [problem.id for problem in await practice.problems(LATER, 9, None)]
+        return [gone, [draft is not None for draft in drafts], problems]
+
+    assert asyncio.run(taken()) == [1, [True, False], [] if settled else ["P1"]]

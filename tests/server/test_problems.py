@@ -8,6 +8,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from server import problems
+from tests.server.school import School
 from tests.server.test_policy import bearer
 
 ATTACK = '<script>alert(1)</script>{{ 7*7 }}"><img src=x onerror=alert(1)>'
@@ -74,3 +75,23 @@ def test_a_long_list_is_read_in_parts(
     rest = client.get(first["next"], headers=bearer("lecturer")).json()
     assert [one["text"] for part in (first, rest) for one in part["problems"]] == ["c", "b", "a"]
     assert rest["next"] is None
+
+
+def test_a_lecturer_sees_and_settles_what_own_students_and_nobody_known_report(school: School) -> None:
+    reporters = {"student": school.browser("student"), "outsider": school.browser("outsider"), "": school.browser()}
+    for text, browser in reporters.items():
+        number = browser.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7}).json()["id"]
+        sent = browser.post(f"/api/v1/variants/{number}/problems", json={"text": text or "nobody"})
+        assert sent.status_code == 201
+    seen = {}
+    for who in ("lecturer", "stranger", "administrator"):
+        listed = school.browser(who).get("/api/v1/problems").json()["problems"]
+        seen[who] = {one["text"]: one["id"] for one in listed}
+        page = school.browser(who).get("/problems").text
+        assert all((text in page) == (text in seen[who]) for text in ("student", "outsider", "nobody"))
+        assert '<a href="/problems" aria-current="page">' in page
+    assert [sorted(seen[who]) for who in seen] == [["nobody", "student"], ["nobody"], ["nobody", "outsider", "student"]]
+    foreign = school.browser("stranger").post(f"/api/v1/problems/{seen['lecturer']['student']}/settle")
+    assert (foreign.status_code, foreign.json()["error"]["code"]) == (404, "unknown_problem")
+    assert school.browser("lecturer").post(f"/problems/{seen['lecturer']['student']}").status_code == 303
+    assert 'href="/problems"' not in school.browser("student").get("/home").text

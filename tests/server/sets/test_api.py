@@ -244,7 +244,10 @@ def test_our_fault_gives_the_attempt_back_and_another_card(course: Course, monke
         spoilt = course.hand_in(variant, right).json()
     assert {one["outcome"] for one in spoilt["verdicts"].values()} == {"fault"} and spoilt["counted"] is False
     problems = course.lecturer.get("/api/v1/problems").json()["problems"]
-    assert any(spoilt["receipt"]["id"] in problem["text"] for problem in problems)
+    (mine,) = [problem for problem in problems if spoilt["receipt"]["id"] in problem["text"]]
+    assert (mine["seed"], mine["code"]) == (None, course.open(number).json()["code"])
+    page = course.lecturer.get("/problems", headers={"accept-language": "en"}).text
+    assert f"Code {mine['code']}" in page
     fresh = course.open(number, another=True).json()
     assert fresh["id"] != variant and course.open(number).json() == fresh
     assert course.hand_in(fresh["id"], texts(course, number)).json()["score"] == 1.0
