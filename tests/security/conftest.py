@@ -14,10 +14,10 @@ from exercises.grading import grade
 from exercises.variants import deal
 from graders import Verdict
 from server.app import create_app
-from server.migrate import migrate
 from server.settings import Settings
 from tests.server.school import School, opened
 from tests.server.sets.conftest import Course, made
+from tests.server.stores import lay
 
 Attack = Callable[..., Verdict]
 VARIANT = deal("slider_crank", 7)
@@ -42,7 +42,7 @@ def attack() -> Attack:
 def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
     """A course whose lecturer builds sets."""
     settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
-    migrate(settings.store_url)
+    lay(settings)
     yield from made(settings)
 
 
@@ -50,7 +50,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
 def client(tmp_path: Path) -> Iterator[TestClient]:
     """A client of a server in this process that knows one variant."""
     settings = Settings(tmp_path, secret=SECRET)
-    migrate(settings.store_url)
+    lay(settings)
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         reply = found.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7})
         found.headers["x-variant"] = reply.json()["id"]
@@ -61,6 +61,6 @@ def client(tmp_path: Path) -> Iterator[TestClient]:
 def school(tmp_path: Path) -> Iterator[School]:
     """A server with a course and somebody of every role."""
     settings = Settings(tmp_path, secret=b"a secret of the tests")
-    migrate(settings.store_url)
+    lay(settings)
     with opened(settings) as found:
         yield found

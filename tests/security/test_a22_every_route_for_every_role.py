@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
-from server.migrate import migrate
 from server.policy import POLICIES, CourseRole, InCourse, Role
 from server.settings import Settings
 from tests.server.school import MEMBERS, NAMES, ROLES, School, opened
+from tests.server.stores import lay
 
 EVERYBODY = (None, *(name for name in NAMES if name != "leaver"))
 DENIALS = {"token_needed", "forbidden", "unknown_course"}
@@ -24,7 +24,7 @@ UNKNOWN = "AAAA-AAAA-AAAA"
 @pytest.fixture(scope="module")
 def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
     settings = Settings(tmp_path_factory.mktemp("school"), secret=b"matrix", limited=False)
-    migrate(settings.store_url)
+    lay(settings)
     with opened(settings) as found:
         yield found
 

@@ -12,10 +12,10 @@ from starlette.testclient import TestClient
 
 from server import sessions
 from server.engine import engine
-from server.migrate import migrate
 from server.settings import Settings
 from server.tables import sessions as kept
 from tests.server.school import PASSWORD, School, opened
+from tests.server.stores import lay
 
 FORM = {"login": "student", "password": PASSWORD}
 
@@ -77,7 +77,7 @@ def test_on_loopback_a_cookie_is_kept_from_scripts_and_other_sites(school: Schoo
 
 def test_behind_https_every_cookie_is_bound_to_the_host(tmp_path: Path) -> None:
     settings = Settings(tmp_path, secret=b"s", public_url="https://lab.example")
-    migrate(settings.store_url)
+    lay(settings)
     with opened(settings) as school:
         client = TestClient(school.app, base_url="https://lab.example", follow_redirects=False)
         lines = cookies(client)

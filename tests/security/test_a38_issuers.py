@@ -11,11 +11,11 @@ import pytest
 from starlette.testclient import TestClient
 
 from server import oidc_fetch
-from server.migrate import migrate
 from server.oidc_fetch import LARGEST, Unreachable, fetch
 from server.settings import Provider, Settings
 from tests.server.issuer import CLIENT, OTHER_KEY, PASSWORD, Issuer, running
 from tests.server.school import School, opened
+from tests.server.stores import lay
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +23,7 @@ def here(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[School, Iss
     with running() as issuer:
         provider = Provider(issuer.address, CLIENT, PASSWORD)
         settings = Settings(tmp_path_factory.mktemp("issuer"), secret=b"s", provider=provider)
-        migrate(settings.store_url)
+        lay(settings)
         with opened(settings) as school:
             yield school, issuer
 
@@ -170,7 +170,7 @@ def test_no_private_address_and_no_plain_http_is_asked(host: str) -> None:
 
 def test_without_a_registered_issuer_there_is_no_such_way(tmp_path: Path) -> None:
     settings = Settings(tmp_path, secret=b"s")
-    migrate(settings.store_url)
+    lay(settings)
     with opened(settings) as school:
         browser = school.browser()
         assert "/oidc" not in browser.get("/signin").text

@@ -22,9 +22,9 @@ from starlette.testclient import TestClient
 
 from server.app import create_app
 from server.database import Database
-from server.migrate import migrate
 from server.settings import Settings
 from tests.server.school import School, opened
+from tests.server.stores import lay
 
 REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 SECRET = b"a secret of the tests"
@@ -51,7 +51,7 @@ def leave_out(need: str, reason: str) -> None:
 def settings(tmp_path: Path) -> Settings:
     """Settings of a server with a store of its own."""
     made = Settings(tmp_path, secret=SECRET)
-    migrate(made.store_url)
+    lay(made)
     return made
 
 
@@ -114,9 +114,7 @@ def _made_database(postgres: str) -> Iterator[str]:
 def store_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     """The address of a store with the tables of this version."""
     url: str | None = request.getfixturevalue("database_url") if request.param == "postgres" else None
-    made = Settings(tmp_path, database_url=url).store_url
-    migrate(made)
-    return made
+    return lay(Settings(tmp_path, database_url=url))
 
 
 @pytest.fixture

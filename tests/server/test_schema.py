@@ -17,8 +17,8 @@ from starlette.testclient import TestClient
 
 from server import tokens
 from server.app import create_app
-from server.migrate import migrate
 from server.settings import Settings
+from tests.server.stores import lay
 
 SECRET = b"the secret of the schema tests"
 ROLES = ("student", "lecturer", "administrator")
@@ -39,7 +39,7 @@ def described() -> dict[str, Any]:
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
     """A server of this module."""
     made = Settings(tmp_path_factory.mktemp("schema"), secret=SECRET, limited=False)
-    migrate(made.store_url)
+    lay(made)
     with TestClient(create_app(made), raise_server_exceptions=False) as found:
         yield found
 

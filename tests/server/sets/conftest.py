@@ -12,12 +12,12 @@ import pytest
 from starlette.testclient import TestClient
 
 from server.judging import JudgingThread
-from server.migrate import migrate
 from server.sets import dealing
 from server.settings import Settings
 from server.storage.sets import Card
 from tests.server.conftest import SECRET
 from tests.server.school import School, opened
+from tests.server.stores import lay
 
 EXERCISE = "slider_crank"
 
@@ -105,5 +105,5 @@ def made(settings: Settings) -> Iterator[Course]:
 def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
     """A school that the tests of a module share."""
     settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
-    migrate(settings.store_url)
+    lay(settings)
     yield from made(settings)
