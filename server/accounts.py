@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 from typing import TypeVar
 
 from server import identity, ids
+from server.audit import COMMAND_LINE
 from server.database import Database
 from server.errors import Refused
 from server.settings import Settings
@@ -57,7 +58,7 @@ def _with(settings: Settings, work: Callable[[People], Awaitable[T]]) -> T:
 async def _first(people: People, settings: Settings) -> str | None:
     if await people.has_administrator():
         return None
-    return await identity.make_link(people, settings, "first")
+    return await identity.make_link(people, settings, "first", COMMAND_LINE)
 
 
 async def _reset(people: People, settings: Settings, login: str | None) -> str:
@@ -69,7 +70,7 @@ async def _reset(people: People, settings: Settings, login: str | None) -> str:
     person = await people.by_login(login.strip().casefold())
     if person is None:
         raise AccountError("unknown_login")
-    return await identity.make_link(people, settings, "reset", person)
+    return await identity.make_link(people, settings, "reset", COMMAND_LINE, person)
 
 
 async def _add(people: People, settings: Settings, login: str, name: str, role: str) -> str:
@@ -79,4 +80,4 @@ async def _add(people: People, settings: Settings, login: str, name: str, role: 
         raise AccountError(refused.code) from None
     if not await people.add(person):
         raise AccountError("taken_login")
-    return await identity.make_link(people, settings, "join", person)
+    return await identity.make_link(people, settings, "join", COMMAND_LINE, person)

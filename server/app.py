@@ -15,6 +15,7 @@ from starlette.routing import Mount
 
 from exercises import catalogue
 from server import (
+    access,
     account_pages,
     comparing,
     course_pages,
@@ -67,6 +68,8 @@ ROUTERS = (
     problems.pages,
     people.router,
     courses.router,
+    access.router,
+    access.pages,
     signin_pages.router,
     oidc_pages.router,
     account_pages.router,

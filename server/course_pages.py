@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from server import courses, forms, rosters
+from server import access, courses, forms, rosters
 from server.bench import Bench, Tools
 from server.language import say
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
+from server.sets import clock
 from server.templating import page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
@@ -25,10 +27,10 @@ async def show_course(course: str, request: Request, bench: Tools, reader: Askin
 
 
 @router.post("/courses/{course}/code")
-async def change_code(course: str, request: Request, bench: Tools) -> Response:
+async def change_code(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Give the course another join code, or close joining."""
     values = (await forms.read(request)).values
-    await courses.renew_code(bench, course, values.get("open") == "yes")
+    await courses.renew_code(bench, reader, values.get("open") == "yes")
     return _back(course)
 
 
@@ -56,7 +58,7 @@ async def change_member(course: str, person: str, request: Request, bench: Tools
 async def link_member(course: str, person: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Make a one-time link for a student and show it once."""
     member = await courses.found(bench, course, person)
-    made = await courses.personal_link(bench, reader, member)
+    made = await access.personal_link(bench, reader, member)
     return await _course(request, bench, reader, {"made": made, "made_for": member.person})
 
 
@@ -66,9 +68,9 @@ async def import_roster(course: str, request: Request, bench: Tools, reader: Ask
     values = (await forms.read(request)).values
     text = values.get("roster", "")
     if values.get("apply") == "yes":
-        await courses.take_roster(bench, course, text, apply=True)
+        await courses.take_roster(bench, reader, text, apply=True)
         return _back(course)
-    changes, unread = await courses.take_roster(bench, course, text, apply=False)
+    changes, unread = await courses.take_roster(bench, reader, text, apply=False)
     context = {
         "course": courses.here(reader).course,
         "text": text,
@@ -98,6 +100,7 @@ async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str
         "groups": await bench.courses.groups(here.course.id) if staff else [],
         "roles": ROLES,
         "address": bench.settings.address,
+        "local": partial(clock.spoken, place=clock.zone(here.course.time_zone)),
         "made": None,
         "made_for": None,
     }

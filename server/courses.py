@@ -12,13 +12,14 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 from fastapi import APIRouter, Depends
 from pydantic import BaseModel, Field, StrictBool
 
-from server import identity, ids, rosters
+from server import audit, identity, ids, rosters
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused
 from server.language import LANGUAGES
 from server.people import REFUSED, Strict, themselves
-from server.policy import CourseRole, may_change_role, may_reset
+from server.policy import CourseRole, may_change_role
 from server.reader import Asking, Reader, admit
+from server.storage.audit import Action, Entry
 from server.storage.courses import Change, Course, Group, Member
 from server.typed import Typed
 
@@ -72,6 +73,7 @@ class ShownCourse(BaseModel):
     time_zone: str
     role: str
     join_code: str | None
+    claims: bool
 
 
 class ShownGroup(BaseModel):
@@ -82,7 +84,7 @@ class ShownGroup(BaseModel):
 
 
 class ShownMember(BaseModel):
-    """A member of a course; `signed_up` tells whether there is a password yet."""
+    """A member of a course; `signed_up` tells whether there is a password yet, `claimed` when the code gave it."""
 
     id: str
     login: str | None
@@ -90,12 +92,7 @@ class ShownMember(BaseModel):
     role: str
     group: str | None
     signed_up: bool
-
-
-class MadeLink(BaseModel):
-    """A one-time link; it is shown this once."""
-
-    link: str
+    claimed: datetime | None
 
 
 class Line(BaseModel):
@@ -126,29 +123,29 @@ class Planned(BaseModel):
 async def list_courses(bench: Tools, reader: Asking) -> list[ShownCourse]:
     """List one's own courses."""
     found = await bench.courses.of(themselves(reader).id)
-    return [_shown(course, CourseRole[role.upper()]) for course, role in found]
+    return [shown(course, CourseRole[role.upper()]) for course, role in found]
 
 
 @router.post("/courses", status_code=201, responses=REFUSED)
 async def add_course(body: NewCourse, bench: Tools, reader: Asking) -> ShownCourse:
     """Start a course; who starts it is its lecturer."""
-    return _shown(await start(bench, reader, body.title, body.language, body.time_zone), CourseRole.LECTURER)
+    return shown(await start(bench, reader, body.title, body.language, body.time_zone), CourseRole.LECTURER)
 
 
 @router.get("/courses/{course}", responses=HERE)
 async def show_course(course: str, reader: Asking) -> ShownCourse:
     """Show a course to its members."""
     seen = here(reader)
-    return _shown(seen.course, seen.role)
+    return shown(seen.course, seen.role)
 
 
 @router.post("/courses/{course}/code", responses=HERE)
 async def change_code(course: str, body: Joining, bench: Tools, reader: Asking) -> ShownCourse:
     """Give a course another join code, or close joining; the old code ends."""
-    await renew_code(bench, course, body.open)
+    await renew_code(bench, reader, body.open)
     changed = await bench.courses.course(course)
     assert changed is not None
-    return _shown(changed, here(reader).role)
+    return shown(changed, here(reader).role)
 
 
 @router.get("/courses/{course}/groups", responses=HERE)
@@ -185,16 +182,10 @@ async def take_out(course: str, person: str, bench: Tools, reader: Asking) -> No
     await remove(bench, reader, await found(bench, course, person))
 
 
-@router.post("/courses/{course}/members/{person}/link", status_code=201, responses=HERE)
-async def link_member(course: str, person: str, bench: Tools, reader: Asking) -> MadeLink:
-    """Make a one-time link with which a student sets a password, the first one or a new one."""
-    return MadeLink(link=await personal_link(bench, reader, await found(bench, course, person)))
-
-
 @router.post("/courses/{course}/roster", responses=HERE)
-async def import_roster(course: str, body: Roster, bench: Tools) -> Planned:
+async def import_roster(course: str, body: Roster, bench: Tools, reader: Asking) -> Planned:
     """Show what a roster would change, or change it. Everybody it names is a student; nobody is taken out."""
-    changes, unread = await take_roster(bench, course, body.csv, body.apply)
+    changes, unread = await take_roster(bench, reader, body.csv, body.apply)
     lines = [Line(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what) for c in changes]
     return Planned(changes=lines, unread=[Unread(line=u.line, code=u.code) for u in unread], applied=body.apply)
 
@@ -213,7 +204,9 @@ def here(reader: Reader) -> Here:
     return Here(reader.course, reader.in_course)
 
 
-async def start(bench: Bench, reader: Reader, title: str, language: str, time_zone: str) -> Course:
+async def start(
+    bench: Bench, reader: Reader, title: str, language: str, time_zone: str, copied: str | None = None
+) -> Course:
     """Start a course; raises Refused where language or time zone is unknown."""
     if language not in LANGUAGES:
         raise Refused(422, "out_of_range", field="language", name="language")
@@ -222,7 +215,11 @@ async def start(bench: Bench, reader: Reader, title: str, language: str, time_zo
     except (ZoneInfoNotFoundError, ValueError, OSError):
         raise Refused(422, "out_of_range", field="time_zone", name="time_zone") from None
     course = Course(ids.new(), _title(title), language, time_zone, datetime.now(UTC), _new_code())
-    await bench.courses.add(course, themselves(reader).id)
+    lecturer = themselves(reader).id
+    entry = Entry(lecturer, Action.COURSE_STARTED, course.id, course.id)
+    if copied is not None:
+        entry = Entry(lecturer, Action.COURSE_COPIED, course.id, course.id, {"from": copied})
+    await bench.courses.add(course, lecturer, entry)
     return course
 
 
@@ -238,9 +235,11 @@ def _new_code() -> str:
     return f"{signs[:4]}-{signs[4:]}"
 
 
-async def renew_code(bench: Bench, course: str, wanted: bool) -> None:
+async def renew_code(bench: Bench, reader: Reader, wanted: bool) -> None:
     """Give a course another join code, or none."""
-    while not await bench.courses.set_code(course, _new_code() if wanted else None):
+    course = here(reader).course.id
+    entry = audit.entry(reader, Action.JOINING_CHANGED, course, open=wanted)
+    while not await bench.courses.set_code(course, _new_code() if wanted else None, entry):
         continue
 
 
@@ -266,7 +265,11 @@ async def place(bench: Bench, reader: Reader, member: Member, role: str, group: 
         raise Refused(422, "out_of_range", field="role", name="role")
     if role != member.role and not may_change_role(_actor(reader), member.person.id):
         raise Refused(403, "own_role")
-    if not await bench.courses.change(here(reader).course.id, member.person.id, role, group):
+    if role == member.role:
+        entry = audit.entry(reader, Action.MEMBER_CHANGED, member.person.id, group=group)
+    else:
+        entry = audit.entry(reader, Action.ROLE_CHANGED, member.person.id, role=role, before=member.role)
+    if not await bench.courses.change(here(reader).course.id, member.person.id, role, group, entry):
         raise Refused(404, "unknown_group", field="group")
 
 
@@ -274,21 +277,12 @@ async def remove(bench: Bench, reader: Reader, member: Member) -> None:
     """Take a member out; raises Refused for oneself."""
     if not may_change_role(_actor(reader), member.person.id):
         raise Refused(403, "own_role")
-    await bench.courses.leave(here(reader).course.id, member.person.id)
-
-
-async def personal_link(bench: Bench, reader: Reader, member: Member) -> str:
-    """Make a one-time link for a student; raises Refused for somebody who may do more anywhere."""
-    person = member.person
-    staff = await bench.courses.is_staff(person.id)
-    if not may_reset(_actor(reader), person.id, person.role, staff):
-        raise Refused(403, "no_reset")
-    purpose = "reset" if person.password else "join"
-    return await identity.make_link(bench.people, bench.settings, purpose, person, here(reader).course.id)
+    entry = audit.entry(reader, Action.MEMBER_REMOVED, member.person.id, role=member.role)
+    await bench.courses.leave(here(reader).course.id, member.person.id, entry)
 
 
 async def take_roster(
-    bench: Bench, course: str, text: str, apply: bool
+    bench: Bench, reader: Reader, text: str, apply: bool
 ) -> tuple[Sequence[Change], Sequence[rosters.Unread]]:
     """Show what a roster changes, or change it; a roster with lines that cannot be used changes nothing.
 
@@ -300,24 +294,26 @@ async def take_roster(
         raise Refused(422, "empty_roster", field="csv")
     if apply and unread:
         raise Refused(422, "unread_roster", field="csv", line=unread[0].line)
-    return await bench.courses.roster(course, rows, datetime.now(UTC), apply), unread
+    course, now = here(reader).course.id, datetime.now(UTC)
+    return await bench.courses.roster(course, rows, now, apply, audit.actor_of(reader)), unread
 
 
 def _actor(reader: Reader) -> str | None:
     return reader.person.id if reader.person else None
 
 
-def _shown(course: Course, role: CourseRole) -> ShownCourse:
+def shown(course: Course, role: CourseRole) -> ShownCourse:
+    """Describe a course to a member."""
     code = course.join_code if role is CourseRole.LECTURER else None
     return ShownCourse(
         id=course.id, title=course.title, language=course.language, time_zone=course.time_zone,
-        role=role.name.lower(), join_code=code,
+        role=role.name.lower(), join_code=code, claims=course.claims,
     )  # fmt: skip
 
 
 def _shown_member(member: Member) -> ShownMember:
     person = member.person
-    signed_up = person.password is not None or person.issuer is not None
     return ShownMember(
-        id=person.id, login=person.login, name=person.name, role=member.role, group=member.group, signed_up=signed_up
-    )
+        id=person.id, login=person.login, name=person.name, role=member.role, group=member.group,
+        signed_up=person.signed_up, claimed=member.claimed,
+    )  # fmt: skip

@@ -102,7 +102,10 @@ async def coded(bench: Bench, code: str) -> Course:
 
 
 async def _signed_up(request: Request, bench: Bench, course: Course, newcomer: Newcomer) -> Person:
-    """Sign somebody up, or give a first password to a person whom the roster of this very course names."""
+    """Sign somebody up, or give a first password to a person whom the roster of this very course names.
+
+    The name of the roster stays: whoever types the number does not change whose marks these are.
+    """
     login, name = login_of(newcomer.login), name_of(newcomer.name)
     check_password(newcomer.password, login)
     _take_try(request, bench, login)
@@ -111,20 +114,33 @@ async def _signed_up(request: Request, bench: Bench, course: Course, newcomer: N
     if await bench.people.add(person):
         return person
     there = await bench.people.by_login(login)
-    listed = there is not None and await bench.courses.role(course.id, there.id) == "student"
-    if there is None or not listed or not await bench.people.claim(there.id, hashed, name):
+    if there is None or not await _claimed(bench, course, there, hashed):
         raise Refused(409, "taken_login", field="login")
     return there
 
 
+async def _claimed(bench: Bench, course: Course, person: Person, password: str) -> bool:
+    """Give a place of the roster away by the code of the course, if its lecturer lets the code do so."""
+    if not course.claims or await bench.courses.role(course.id, person.id) != "student":
+        return False
+    return await bench.people.claim(person.id, course.id, password, datetime.now(UTC))
+
+
 async def make_link(
-    people: People, settings: Settings, purpose: str, person: Person | None = None, course: str | None = None
-) -> str:
+    people: People, settings: Settings, purpose: str, actor: str, person: Person | None = None,
+    course: str | None = None,
+) -> str:  # fmt: skip
     """Make a one-time link; gives its address."""
+    link, address = new_link(settings, purpose, person, course)
+    await people.keep_links([link], actor)
+    return address
+
+
+def new_link(settings: Settings, purpose: str, person: Person | None, course: str | None) -> tuple[Link, str]:
+    """Draw a one-time link; gives it as it is stored, and its address, which is stored nowhere."""
     secret, now = secrets.token_urlsafe(32), datetime.now(UTC)
     link = Link(_digest(secret), purpose, person.id if person else None, course, now, now + LINK_LASTS)
-    await people.keep_link(link)
-    return f"{settings.address}/links/{secret}"
+    return link, f"{settings.address}/links/{secret}"
 
 
 async def linked(bench: Bench, secret: str) -> Link:

@@ -8,11 +8,12 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Request, Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from server import identity, ids, sessions, tokens
+from server import audit, identity, ids, sessions, tokens
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused
 from server.policy import Role
 from server.reader import Asking, Reader, admit
+from server.storage.audit import Action
 from server.storage.people import Person, Session, Token
 from server.typed import Typed
 
@@ -196,13 +197,14 @@ async def new_token(bench: Bench, reader: Reader, name: str, role: str, days: in
         raise Refused(403, "forbidden", field="role")
     now = datetime.now(UTC)
     token = Token(ids.new(), person.id, identity.name_of(name)[:80], role.lower(), now, now + timedelta(days=days))
-    await bench.people.keep_token(token)
+    await bench.people.keep_token(token, audit.entry(reader, Action.TOKEN_MADE, token.id, role=token.role, days=days))
     return token, tokens.of_person(token.id, wanted, bench.secret, days * 24)
 
 
 async def revoke(bench: Bench, reader: Reader, token: str) -> None:
     """End one of one's own tokens; raises Refused where there is none."""
-    if not await bench.people.revoke(signed_in(reader).id, token, datetime.now(UTC)):
+    entry = audit.entry(reader, Action.TOKEN_REVOKED, token[:64])
+    if not await bench.people.revoke(signed_in(reader).id, token, datetime.now(UTC), entry):
         raise Refused(404, "unknown_token")
 
 

@@ -103,6 +103,9 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("PATCH", "/api/v1/courses/{course}/members/{person}"): COURSE_LECTURER,
     ("DELETE", "/api/v1/courses/{course}/members/{person}"): COURSE_LECTURER,
     ("POST", "/api/v1/courses/{course}/members/{person}/link"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/members/{person}/unclaim"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/links"): COURSE_LECTURER,
+    ("POST", "/api/v1/courses/{course}/claims"): COURSE_LECTURER,
     ("POST", "/api/v1/courses/{course}/roster"): COURSE_LECTURER,
     ("GET", "/signin"): Role.ANONYMOUS,
     ("POST", "/signin"): Role.ANONYMOUS,
@@ -128,6 +131,9 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/courses/{course}/groups"): COURSE_LECTURER,
     ("POST", "/courses/{course}/members/{person}"): COURSE_LECTURER,
     ("POST", "/courses/{course}/members/{person}/link"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/members/{person}/unclaim"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/links"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/claims"): COURSE_LECTURER,
     ("POST", "/courses/{course}/roster"): COURSE_LECTURER,
     ("POST", "/api/v1/task-sets"): Role.STUDENT,
     ("GET", "/api/v1/courses/{course}/task-sets"): COURSE_STUDENT,
@@ -195,9 +201,15 @@ def may_see_solution(role: Role, counted: bool) -> bool:
 
 
 def may_reset(actor: str | None, target: str, role: str, staff: bool) -> bool:
-    """Whether a lecturer of a course may make a link with which a member sets a new password: a student's, nowhere more
+    """Whether a lecturer of a course may make a link with which a member sets a password: a student's, nowhere more
     than a student; else the link would be a way to become somebody with more rights."""
     return actor != target and role == Role.STUDENT.name.lower() and not staff
+
+
+def may_replace(role: Role, elsewhere: bool) -> bool:
+    """Whether a password that somebody has may be replaced: by who lectures all courses of that person, else by an
+    administrator; putting an index number on a roster must not open what was handed in elsewhere."""
+    return role is Role.ADMINISTRATOR or not elsewhere
 
 
 def may_change_role(actor: str | None, target: str) -> bool:

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import datetime
+from functools import partial
 
-from sqlalchemy import Connection, Select, case, delete, exists, insert, select, update
+from sqlalchemy import Connection, Select, case, delete, exists, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
+from server.database.audit import noting
 from server.database.connections import Connections
 from server.database.once import insert_once
 from server.database.people import person_of
-from server.database.rosters import apply_roster, plan
+from server.database.rosters import add_member, apply_roster, plan
+from server.storage.audit import Entry
 from server.storage.courses import Change, Course, Group, Member, Row
 from server.tables import courses, groups, memberships, persons
 
@@ -24,9 +27,9 @@ class Courses:
     def __init__(self, connections: Connections) -> None:
         self._connections = connections
 
-    async def add(self, course: Course, lecturer: str) -> None:
+    async def add(self, course: Course, lecturer: str, entry: Entry | None = None) -> None:
         """Store a new course with its lecturer."""
-        await self._connections.write(lambda connection: _add(connection, course, lecturer))
+        await self._connections.write(noting(lambda connection: _add(connection, course, lecturer), entry))
 
     async def course(self, number: str) -> Course | None:
         """Give a course."""
@@ -49,6 +52,16 @@ class Courses:
         query = select(memberships.c.role).where(*mine)
         return await self._connections.read(lambda connection: connection.execute(query).scalar_one_or_none())
 
+    async def elsewhere(self, lecturer: str, person: str) -> bool:
+        """Tell whether a person is in a course that a lecturer does not lecture, or came to none of the lecturer's."""
+        lectured = memberships.c.person == lecturer, memberships.c.role == "lecturer"
+        own, theirs = (
+            memberships.c.course.in_(select(memberships.c.course).where(*lectured)),
+            memberships.c.person == person,
+        )
+        query = select(or_(exists().where(theirs, ~own), ~exists().where(theirs, own, memberships.c.vouched)))
+        return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
+
     async def is_staff(self, person: str) -> bool:
         """Tell whether a person assists or lectures anywhere."""
         query = select(exists().where(memberships.c.person == person, memberships.c.role.in_(STAFF)))
@@ -67,17 +80,17 @@ class Courses:
 
     async def join(self, course: str, person: str, role: str, now: datetime) -> bool:
         """Make a person a member; False where that is so already."""
-        values = {"course": course, "person": person, "role": role, "group": None, "joined": now}
-        return await self._connections.write(lambda connection: insert_once(connection, memberships, values))
+        return await self._connections.write(lambda connection: _join(connection, course, person, role, now))
 
-    async def change(self, course: str, person: str, role: str, group: str | None) -> bool:
+    async def change(self, course: str, person: str, role: str, group: str | None, entry: Entry | None = None) -> bool:
         """Change role and group of a member; False where there is no such member or group."""
-        return await self._connections.write(lambda connection: _change(connection, course, person, role, group))
+        change = partial(_change, course=course, person=person, role=role, group=group)
+        return await self._connections.write(noting(change, entry))
 
-    async def leave(self, course: str, person: str) -> bool:
+    async def leave(self, course: str, person: str, entry: Entry | None = None) -> bool:
         """Take a member out of a course; what was handed in stays."""
         gone = delete(memberships).where(memberships.c.course == course, memberships.c.person == person)
-        return await self._connections.write(lambda connection: connection.execute(gone).rowcount == 1)
+        return await self._connections.write(noting(lambda connection: connection.execute(gone).rowcount == 1, entry))
 
     async def groups(self, course: str) -> Sequence[Group]:
         """List the groups of a course by name."""
@@ -90,19 +103,27 @@ class Courses:
         values = {"id": group.id, "course": group.course, "name": group.name}
         return await self._connections.write(lambda connection: insert_once(connection, groups, values))
 
-    async def set_code(self, course: str, code: str | None) -> bool:
+    async def set_code(self, course: str, code: str | None, entry: Entry | None = None) -> bool:
         """Change the join code, or close joining; False where another course has this code."""
         change = update(courses).where(courses.c.id == course).values(join_code=code)
         try:
-            return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+            changed = noting(lambda connection: connection.execute(change).rowcount == 1, entry)
+            return await self._connections.write(changed)
         except IntegrityError:
             return False
 
-    async def roster(self, course: str, rows: Sequence[Row], now: datetime, apply: bool) -> Sequence[Change]:
+    async def let_claim(self, course: str, wanted: bool, entry: Entry | None = None) -> None:
+        """Let the code of a course give away places of its roster, or not."""
+        change = update(courses).where(courses.c.id == course).values(claims=wanted)
+        await self._connections.write(noting(lambda connection: connection.execute(change).rowcount, entry))
+
+    async def roster(
+        self, course: str, rows: Sequence[Row], now: datetime, apply: bool, actor: str = ""
+    ) -> Sequence[Change]:
         """Tell what a roster changes, and change it if that is wished."""
         if not apply:
             return await self._connections.read(lambda connection: plan(connection, course, rows))
-        return await self._connections.write(lambda connection: apply_roster(connection, course, rows, now))
+        return await self._connections.write(lambda connection: apply_roster(connection, course, rows, now, actor))
 
     async def _one(self, query: Select[tuple[object, ...]]) -> Course | None:
         row = await self._connections.read(lambda connection: connection.execute(query).mappings().first())
@@ -115,12 +136,21 @@ def _add(connection: Connection, course: Course, lecturer: str) -> None:
     connection.execute(insert(memberships), member)
 
 
+def _join(connection: Connection, course: str, person: str, role: str, now: datetime) -> bool:
+    values = {"course": course, "person": person, "role": role, "group": None, "joined": now, "vouched": True}
+    if add_member(connection, values):
+        return True
+    mine = memberships.c.course == course, memberships.c.person == person
+    connection.execute(update(memberships).where(*mine).values(vouched=True))
+    return False
+
+
 def _members(connection: Connection, course: str) -> list[Member]:
     order = case({"lecturer": 0, "assistant": 1}, value=memberships.c.role, else_=2)
     query = select(memberships, persons).join(persons).where(memberships.c.course == course)
     rows = connection.execute(query.order_by(order, persons.c.name, persons.c.id)).mappings().all()
     own = memberships.c
-    return [Member(person_of(row), row[own.role], row[own.group], row[own.joined]) for row in rows]
+    return [Member(person_of(row), row[own.role], row[own.group], row[own.joined], row[own.claimed]) for row in rows]
 
 
 def _change(connection: Connection, course: str, person: str, role: str, group: str | None) -> bool:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, RowMapping, delete, insert, select, update
 
+from server.database.audit import note, noting
 from server.database.connections import Connections
 from server.database.once import insert_once
+from server.storage.audit import Action, Entry
 from server.storage.people import Link, Person, Session, Token
-from server.tables import api_tokens, links, owners, persons, sessions
+from server.tables import api_tokens, links, memberships, owners, persons, sessions
 
 
 class People:
@@ -48,9 +51,13 @@ class People:
         """Store the hash of a new password and end all sessions but one."""
         await self._connections.write(lambda connection: _set_password(connection, number, password, keep))
 
-    async def claim(self, number: str, password: str, name: str) -> bool:
-        """Give a first password to a person of a roster; False where there is one already."""
-        return await self._change(_unclaimed(number), password=password, name=name)
+    async def claim(self, number: str, course: str, password: str, now: datetime) -> bool:
+        """Give a first password to a person of the roster of a course; False where there is one already."""
+        return await self._connections.write(lambda connection: _claim(connection, number, course, password, now))
+
+    async def unclaim(self, number: str, entry: Entry | None = None) -> None:
+        """Take the password of a person away again, with all sessions, tokens and links."""
+        await self._connections.write(noting(lambda connection: _unclaim(connection, number), entry))
 
     async def begin(self, session: Session) -> None:
         """Store a session."""
@@ -78,9 +85,9 @@ class People:
         gone = delete(sessions).where(*theirs)
         return await self._connections.write(lambda connection: connection.execute(gone).rowcount > 0)
 
-    async def keep_link(self, link: Link) -> None:
-        """Store a link; older unused ones of the same person end."""
-        await self._connections.write(lambda connection: _keep_link(connection, link))
+    async def keep_links(self, made: Sequence[Link], actor: str = "server") -> None:
+        """Store links; older unused ones of the same people end."""
+        await self._connections.write(lambda connection: _keep_links(connection, made, actor))
 
     async def link(self, digest: str) -> Link | None:
         """Give a link."""
@@ -100,10 +107,11 @@ class People:
         """Tell whether somebody administers this server."""
         return await self._one(persons.c.role == "administrator") is not None
 
-    async def keep_token(self, token: Token) -> None:
+    async def keep_token(self, token: Token, entry: Entry | None = None) -> None:
         """Store a token."""
         values = {column.name: getattr(token, column.name) for column in api_tokens.columns}
-        await self._connections.write(lambda connection: connection.execute(insert(api_tokens), values))
+        keep = insert(api_tokens).values(values)
+        await self._connections.write(noting(lambda connection: connection.execute(keep).rowcount, entry))
 
     async def token(self, number: str) -> tuple[Token, Person] | None:
         """Give a token and its person."""
@@ -115,11 +123,11 @@ class People:
         rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
         return [Token(**row) for row in rows]
 
-    async def revoke(self, person: str, number: str, now: datetime) -> bool:
+    async def revoke(self, person: str, number: str, now: datetime, entry: Entry | None = None) -> bool:
         """End a token of a person."""
         theirs = api_tokens.c.person == person, api_tokens.c.id == number, api_tokens.c.revoked.is_(None)
         change = update(api_tokens).where(*theirs).values(revoked=now)
-        return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+        return await self._connections.write(noting(lambda connection: connection.execute(change).rowcount == 1, entry))
 
     async def _one(self, which: ColumnElement[bool]) -> Person | None:
         return await self._connections.read(lambda connection: _person(connection, which))
@@ -183,10 +191,38 @@ def _token(connection: Connection, number: str) -> tuple[Token, Person] | None:
     return Token(**{column.name: row[column] for column in api_tokens.columns}), person_of(row)
 
 
-def _keep_link(connection: Connection, link: Link) -> None:
-    older = links.c.used.is_(None), links.c.person.is_not_distinct_from(link.person)
-    connection.execute(delete(links).where(*older))
-    connection.execute(insert(links), {column.name: getattr(link, column.name) for column in links.columns})
+def _claim(connection: Connection, number: str, course: str, password: str, now: datetime) -> bool:
+    if connection.execute(update(persons).where(_unclaimed(number)).values(password=password)).rowcount != 1:
+        return False
+    mine = memberships.c.course == course, memberships.c.person == number
+    connection.execute(update(memberships).where(*mine).values(claimed=now))
+    _note_everywhere(connection, Entry(number, Action.PLACE_CLAIMED, number, course))
+    return True
+
+
+def _unclaim(connection: Connection, number: str) -> None:
+    connection.execute(update(persons).where(persons.c.id == number).values(password=None))
+    connection.execute(update(memberships).where(memberships.c.person == number).values(claimed=None))
+    connection.execute(delete(sessions).where(sessions.c.person == number))
+    connection.execute(delete(api_tokens).where(api_tokens.c.person == number))
+    connection.execute(delete(links).where(links.c.person == number, links.c.used.is_(None)))
+
+
+def _keep_links(connection: Connection, made: Sequence[Link], actor: str) -> None:
+    for link in made:
+        older = links.c.used.is_(None), links.c.person.is_not_distinct_from(link.person)
+        connection.execute(delete(links).where(*older))
+        connection.execute(insert(links), {column.name: getattr(link, column.name) for column in links.columns})
+        made_for = link.person or "the first administrator"
+        entry = Entry(actor, Action.LINK_MADE, made_for, link.course, {"purpose": link.purpose})
+        _note_everywhere(connection, entry)
+
+
+def _note_everywhere(connection: Connection, entry: Entry) -> None:
+    """Note an act on a person in all courses of that person: it concerns each of them."""
+    query = select(memberships.c.course).where(memberships.c.person == entry.object).order_by(memberships.c.course)
+    for course in connection.execute(query).scalars().all() or [entry.course]:
+        note(connection, replace(entry, course=course))
 
 
 def _use(connection: Connection, digest: str, now: datetime) -> Link | None:
@@ -202,6 +238,8 @@ def _redeem(connection: Connection, digest: str, now: datetime, password: str) -
     if link is None or link.person is None:
         return None
     _set_password(connection, link.person, password, keep="")
+    entry = Entry(link.person, Action.LINK_USED, link.person, link.course, {"purpose": link.purpose})
+    _note_everywhere(connection, entry)
     return _person(connection, persons.c.id == link.person)
 
 
@@ -212,4 +250,5 @@ def _redeem_first(connection: Connection, digest: str, now: datetime, person: Pe
     if not add_person(connection, person):
         connection.execute(update(links).where(links.c.digest == digest).values(used=None))
         return False
+    note(connection, Entry(person.id, Action.LINK_USED, person.id, None, {"purpose": link.purpose}))
     return True

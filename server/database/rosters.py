@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from datetime import datetime
 
-from sqlalchemy import Connection, insert, select, update
+from sqlalchemy import Connection, delete, insert, select, update
 
 from server import ids
+from server.database.audit import note
 from server.database.once import insert_once
 from server.database.people import add_person
+from server.storage.audit import Action, Entry
 from server.storage.courses import Change, Row
 from server.storage.people import Person
-from server.tables import groups, memberships, persons
+from server.tables import groups, links, memberships, persons
 
 
 def plan(connection: Connection, course: str, rows: Sequence[Row]) -> list[Change]:
@@ -21,7 +24,7 @@ def plan(connection: Connection, course: str, rows: Sequence[Row]) -> list[Chang
     return [Change(row, _what(row, people, groups_of)) for row in rows]
 
 
-def apply_roster(connection: Connection, course: str, rows: Sequence[Row], now: datetime) -> list[Change]:
+def apply_roster(connection: Connection, course: str, rows: Sequence[Row], now: datetime, actor: str) -> list[Change]:
     """Add who is not there yet, as a student, and put everybody into the group of the line; nobody is taken out."""
     changes = plan(connection, course, rows)
     named = _groups(connection, course, rows)
@@ -32,13 +35,24 @@ def apply_roster(connection: Connection, course: str, rows: Sequence[Row], now: 
     people = _people(connection, rows)
     for change in changes:
         _place(connection, course, people[change.row.login], named.get(change.row.group), change.what, now)
+    counts = Counter(change.what for change in changes)
+    note(connection, Entry(actor, Action.ROSTER_IMPORTED, course, course, dict(counts)))
     return changes
+
+
+def add_member(connection: Connection, values: Mapping[str, object]) -> bool:
+    """Add a member; links that other courses made to replace a password end. False for one who is there."""
+    if not insert_once(connection, memberships, values):
+        return False
+    foreign = links.c.person == values["person"], links.c.course != values["course"], links.c.used.is_(None)
+    connection.execute(delete(links).where(*foreign, links.c.purpose == "reset"))
+    return True
 
 
 def _place(connection: Connection, course: str, person: str, group: str | None, what: str, now: datetime) -> None:
     if what in ("new", "joins"):
         values = {"course": course, "person": person, "role": "student", "group": group, "joined": now}
-        insert_once(connection, memberships, values)
+        add_member(connection, values | {"vouched": what == "new"})
     if what == "moves":
         mine = memberships.c.course == course, memberships.c.person == person
         connection.execute(update(memberships).where(*mine).values(group=group))

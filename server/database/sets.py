@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import datetime
+from functools import partial
 
 from sqlalchemy import Connection, Select, delete, exists, func, insert, or_, select, update
 
 from server.database import attempts, deck
+from server.database.audit import noting
 from server.database.connections import Connections
 from server.storage import Marked
+from server.storage.audit import Entry
 from server.storage.sets import DRAFT, PUBLISHED, Card, Line, NotADraft, Place, Slot, TaskSet, Waiting
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
@@ -21,9 +24,9 @@ class Sets:
     def __init__(self, connections: Connections) -> None:
         self._connections = connections
 
-    async def add(self, new: TaskSet) -> None:
+    async def add(self, new: TaskSet, entry: Entry | None = None) -> None:
         """Store a new draft with its slots."""
-        await self._connections.write(lambda connection: _add(connection, new))
+        await self._connections.write(noting(lambda connection: _add(connection, new), entry))
 
     async def change(self, new: TaskSet, revision: int) -> None:
         """Store a draft anew over one of a revision."""
@@ -45,9 +48,12 @@ class Sets:
         query = select(memberships.c.person).where(*mine).order_by(memberships.c.joined, memberships.c.person)
         return await self._connections.read(lambda connection: list(connection.execute(query).scalars()))
 
-    async def publish(self, number: str, revision: int, dealt: Sequence[Card], now: datetime) -> None:
+    async def publish(
+        self, number: str, revision: int, dealt: Sequence[Card], now: datetime, entry: Entry | None = None
+    ) -> None:
         """Store the deck of a draft and publish it, together."""
-        await self._connections.write(lambda connection: _publish(connection, number, revision, dealt, now))
+        publish = partial(_publish, number=number, revision=revision, dealt=dealt, now=now)
+        await self._connections.write(noting(publish, entry))
 
     async def deck(self, number: str) -> Sequence[Card]:
         """List the cards of a set by slot and number."""
@@ -81,9 +87,12 @@ class Sets:
         """Tell how many minutes more a student has."""
         return await self._connections.read(lambda connection: _extra(connection, number, person))
 
-    async def accommodate(self, number: str, person: str, minutes: int, reason: str) -> None:
+    async def accommodate(
+        self, number: str, person: str, minutes: int, reason: str, entry: Entry | None = None
+    ) -> None:
         """Give a student more time; 0 minutes take it back."""
-        await self._connections.write(lambda connection: _accommodate(connection, number, person, minutes, reason))
+        give = partial(_accommodate, number=number, person=person, minutes=minutes, reason=reason)
+        await self._connections.write(noting(give, entry))
 
     async def accommodations(self, number: str) -> Mapping[str, tuple[int, str]]:
         """Give minutes and reason by student."""
@@ -91,10 +100,12 @@ class Sets:
         rows = await self._connections.read(lambda connection: connection.execute(query).all())
         return {row.person: (row.minutes, row.reason) for row in rows}
 
-    async def move(self, number: str, due: datetime | None, closes: datetime | None) -> None:
+    async def move(
+        self, number: str, due: datetime | None, closes: datetime | None, entry: Entry | None = None
+    ) -> None:
         """Move the deadlines of a set."""
         moved = update(task_sets).where(task_sets.c.id == number).values(due=due, closes=closes)
-        await self._connections.write(lambda connection: connection.execute(moved).rowcount)
+        await self._connections.write(noting(lambda connection: connection.execute(moved).rowcount, entry))
 
     async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
         """Store a submission to a set, and its attempt, together."""

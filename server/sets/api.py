@@ -9,6 +9,8 @@ from typing import Annotated, Any, Literal
 from fastapi import APIRouter, Depends, Path, Query, Response
 
 from reports import formats, sheets
+from server import audit
+from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import HERE, ShownCourse, here, start
 from server.errors import Failure, Refused
@@ -35,6 +37,7 @@ from server.sets.shapes import (
 )
 from server.sets.standing import final, standing
 from server.sets.wording import said
+from server.storage.audit import Action
 from server.storage.sets import NotADraft, Slot, TaskSet
 from server.variants import ShownVariant, shown, visible
 
@@ -122,24 +125,25 @@ async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, re
     """Give a student more time; it moves the deadlines and the time limit, also of work under way."""
     if await bench.courses.role(here(reader).course.id, person) != "student":
         raise Refused(404, "unknown_member")
-    await bench.sets.accommodate(task_set, person, body.minutes, body.reason)
+    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set, minutes=body.minutes)
+    await bench.sets.accommodate(task_set, person, body.minutes, body.reason, entry)
     return GivenTime(person=person, minutes=body.minutes, reason=body.reason)
 
 
 @router.post("/task-sets/{task_set}/extend", responses=HERE)
 async def extend_set(task_set: str, body: Later, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
     """Move the deadlines of a set, unless it has closed; gives what was moved."""
-    return await _extended(bench, [await set_of(bench, reader, task_set)], body.minutes)
+    return await _extended(bench, reader, [await set_of(bench, reader, task_set)], body.minutes)
 
 
 @router.post("/courses/{course}/extend", responses=HERE)
-async def extend_course(course: str, body: Later, bench: Tools) -> list[ListedTaskSet]:
+async def extend_course(course: str, body: Later, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
     """Move all open deadlines of a course; gives the sets that were moved."""
-    return await _extended(bench, list(await bench.sets.of(course)), body.minutes)
+    return await _extended(bench, reader, list(await bench.sets.of(course)), body.minutes)
 
 
-async def _extended(bench: Bench, sets: list[TaskSet], minutes: int) -> list[ListedTaskSet]:
-    moved = await building.extend(bench, sets, minutes, datetime.now(UTC))
+async def _extended(bench: Bench, reader: Reader, sets: list[TaskSet], minutes: int) -> list[ListedTaskSet]:
+    moved = await building.extend(bench, sets, minutes, datetime.now(UTC), actor_of(reader))
     return [listed_set(one) for one in moved]
 
 
@@ -147,19 +151,19 @@ async def _extended(bench: Bench, sets: list[TaskSet], minutes: int) -> list[Lis
 async def copy_set(task_set: str, body: Copied, bench: Tools, reader: Asking) -> ShownTaskSet:
     """Copy a set as a draft, with its dates moved by whole days."""
     found = await set_of(bench, reader, task_set)
-    return shown_set(await building.copy(bench, found, here(reader).course, body.days))
+    return shown_set(await building.copy(bench, found, here(reader).course, body.days, actor_of(reader)))
 
 
 @router.post("/courses/{course}/copy", status_code=201, responses=HERE)
 async def copy_course(course: str, body: CopiedCourse, bench: Tools, reader: Asking) -> ShownCourse:
     """Start a course with copies of all sets of another, their dates moved by whole days; nobody comes along."""
     old = here(reader).course
-    new = await start(bench, reader, body.title, old.language, old.time_zone)
+    new = await start(bench, reader, body.title, old.language, old.time_zone, copied=old.id)
     for task_set in reversed(await bench.sets.of(course)):
-        await building.copy(bench, task_set, new, body.days)
+        await building.copy(bench, task_set, new, body.days, actor_of(reader))
     return ShownCourse(
         id=new.id, title=new.title, language=new.language, time_zone=new.time_zone, role="lecturer",
-        join_code=new.join_code,
+        join_code=new.join_code, claims=new.claims,
     )  # fmt: skip
 
 
@@ -223,7 +227,7 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet) -> TaskSet:
     if task_set.published:
         raise Refused(409, "set_frozen")
     try:
-        return await publishing.publish(bench, task_set)
+        return await publishing.publish(bench, task_set, actor_of(reader))
     except NotADraft:
         raise Refused(409, "set_changed") from None
     except Troubled as error:

@@ -18,6 +18,7 @@ from server.errors import Refused, printable
 from server.people import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
 from server.sets.rules import Rules, window
+from server.storage.audit import Action, Entry
 from server.storage.courses import Course
 from server.storage.sets import DRAFT, PUBLISHED, NotADraft, Slot, TaskSet
 from server.typed import Typed
@@ -150,7 +151,7 @@ def _iso(moment: datetime | None) -> str | None:
     return moment.isoformat() if moment else None
 
 
-async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int) -> TaskSet:
+async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor: str) -> TaskSet:
     """Copy a set as a draft; its dates move by whole days of the course's clock."""
     place = zone(course.time_zone)
     opens, due, closes = (
@@ -162,11 +163,12 @@ async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int) -> Ta
         task_set, id=number, course=course.id, rules=rules, state=DRAFT, published=None, revision=1,
         created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes,
     )  # fmt: skip
-    await bench.sets.add(new)
+    entry = Entry(actor, Action.SET_COPIED, number, course.id, {"from": task_set.id, "days": days})
+    await bench.sets.add(new, entry)
     return new
 
 
-async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime) -> list[TaskSet]:
+async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str) -> list[TaskSet]:
     """Move the open deadlines of published sets; those that have closed stay closed. Gives the sets that moved."""
     moved = []
     for task_set in sets:
@@ -174,7 +176,8 @@ async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datet
         if task_set.state != PUBLISHED or found.closes is None or now > found.closes:
             continue
         due, closes = _later(task_set.due, minutes), _later(task_set.closes, minutes)
-        await bench.sets.move(task_set.id, due, closes)
+        entry = Entry(actor, Action.DEADLINES_MOVED, task_set.id, task_set.course, {"minutes": minutes})
+        await bench.sets.move(task_set.id, due, closes, entry)
         moved.append(replace(task_set, due=due, closes=closes))
     return moved
 

@@ -14,6 +14,7 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 from exercises import catalogue, presenting
 from exercises.variants import MAX_SEED
 from server import forms
+from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import here
 from server.errors import Refused
@@ -99,14 +100,16 @@ async def extend_set(task_set: str, request: Request, bench: Tools, reader: Aski
     text = (await forms.read(request)).values.get("minutes", "").strip()
     if not (text.isascii() and text.isdecimal() and 1 <= int(text[:6]) <= 100_000 and len(text) <= 6):
         raise Refused(422, "out_of_range", field="minutes", name="minutes")
-    await building.extend(bench, [await set_of(bench, reader, task_set)], int(text), datetime.now(UTC))
+    await building.extend(
+        bench, [await set_of(bench, reader, task_set)], int(text), datetime.now(UTC), actor_of(reader)
+    )
     return RedirectResponse(f"/sets/{task_set}", 303)
 
 
 @router.post("/sets/{task_set}/copy")
 async def copy_set(task_set: str, bench: Tools, reader: Asking) -> Response:
     """Copy a set as a draft and go there."""
-    made = await building.copy(bench, await set_of(bench, reader, task_set), here(reader).course, 0)
+    made = await building.copy(bench, await set_of(bench, reader, task_set), here(reader).course, 0, actor_of(reader))
     return RedirectResponse(f"/sets/{made.id}", 303)
 
 

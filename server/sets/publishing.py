@@ -11,6 +11,7 @@ from server import ids
 from server.bench import Bench
 from server.sets import dealing
 from server.sets.dealing import Drawn, Plan, Trouble
+from server.storage.audit import Action, Entry
 from server.storage.sets import PUBLISHED, Card, Slot, TaskSet
 
 CODE = 9  # signs of a code, such as 7F3K-2M0Q
@@ -24,7 +25,7 @@ class Troubled(ValueError):
         self.troubles = tuple(troubles)
 
 
-async def publish(bench: Bench, task_set: TaskSet) -> TaskSet:
+async def publish(bench: Bench, task_set: TaskSet, actor: str) -> TaskSet:
     """Deal the deck of a draft and publish it.
 
     Raises:
@@ -35,7 +36,8 @@ async def publish(bench: Bench, task_set: TaskSet) -> TaskSet:
     if troubles:
         raise Troubled(troubles)
     now = datetime.now(UTC)
-    await bench.sets.publish(task_set.id, task_set.revision, cards, now)
+    entry = Entry(actor, Action.SET_PUBLISHED, task_set.id, task_set.course, {"cards": len(cards)})
+    await bench.sets.publish(task_set.id, task_set.revision, cards, now, entry)
     return replace(task_set, state=PUBLISHED, published=now)
 
 

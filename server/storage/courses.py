@@ -7,12 +7,16 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Protocol
 
+from server.storage.audit import Entry
 from server.storage.people import Person
 
 
 @dataclass(frozen=True, slots=True)
 class Course:
-    """A course; who knows its join code may become one of its students."""
+    """A course; who knows its join code may become one of its students.
+
+    With `claims` the code also gives away a place of the roster to whom names its index number first.
+    """
 
     id: str
     title: str
@@ -22,6 +26,7 @@ class Course:
     join_code: str | None = None
     archived: bool = False
     keep_until: datetime | None = None
+    claims: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +40,13 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A person in a course: student, assistant or lecturer."""
+    """A person in a course: student, assistant or lecturer; `claimed` when by code from the roster."""
 
     person: Person
     role: str
     group: str | None
     joined: datetime
+    claimed: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +69,7 @@ class Change:
 class Courses(Protocol):
     """A store of courses."""
 
-    async def add(self, course: Course, lecturer: str) -> None:
+    async def add(self, course: Course, lecturer: str, entry: Entry | None = None) -> None:
         """Store a new course with its lecturer."""
         ...
 
@@ -83,6 +89,10 @@ class Courses(Protocol):
         """Give the role of a person in a course."""
         ...
 
+    async def elsewhere(self, lecturer: str, person: str) -> bool:
+        """Tell whether a person is in a course that a lecturer does not lecture, or came to none of the lecturer's."""
+        ...
+
     async def is_staff(self, person: str) -> bool:
         """Tell whether a person assists or lectures anywhere."""
         ...
@@ -99,11 +109,11 @@ class Courses(Protocol):
         """Make a person a member; False where that is so already."""
         ...
 
-    async def change(self, course: str, person: str, role: str, group: str | None) -> bool:
+    async def change(self, course: str, person: str, role: str, group: str | None, entry: Entry | None = None) -> bool:
         """Change role and group of a member; False where there is no such member or group."""
         ...
 
-    async def leave(self, course: str, person: str) -> bool:
+    async def leave(self, course: str, person: str, entry: Entry | None = None) -> bool:
         """Take a member out of a course; what was handed in stays."""
         ...
 
@@ -115,10 +125,16 @@ class Courses(Protocol):
         """Store a group; False where the name is taken."""
         ...
 
-    async def set_code(self, course: str, code: str | None) -> bool:
+    async def set_code(self, course: str, code: str | None, entry: Entry | None = None) -> bool:
         """Change the join code, or close joining; False where another course has this code."""
         ...
 
-    async def roster(self, course: str, rows: Sequence[Row], now: datetime, apply: bool) -> Sequence[Change]:
+    async def let_claim(self, course: str, wanted: bool, entry: Entry | None = None) -> None:
+        """Let the code of a course give away places of its roster, or not."""
+        ...
+
+    async def roster(
+        self, course: str, rows: Sequence[Row], now: datetime, apply: bool, actor: str = ""
+    ) -> Sequence[Change]:
         """Tell what a roster changes, and change it if that is wished."""
         ...

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Protocol
 
+from server.storage.audit import Entry
+
 
 @dataclass(frozen=True, slots=True)
 class Person:
@@ -32,6 +34,11 @@ class Person:
     active: bool = True
     issuer: str | None = None
     subject: str | None = None
+
+    @property
+    def signed_up(self) -> bool:
+        """Whether the person can sign in: nobody has been here under this number before."""
+        return self.password is not None or self.issuer is not None
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,8 +115,12 @@ class People(Protocol):
         """Store the hash of a new password and end all sessions but one."""
         ...
 
-    async def claim(self, number: str, password: str, name: str) -> bool:
-        """Give a first password to a person of a roster; False where there is one already."""
+    async def claim(self, number: str, course: str, password: str, now: datetime) -> bool:
+        """Give a first password to a person of the roster of a course; False where there is one already."""
+        ...
+
+    async def unclaim(self, number: str, entry: Entry | None = None) -> None:
+        """Take the password of a person away again, with all sessions, tokens and links."""
         ...
 
     async def begin(self, session: Session) -> None:
@@ -132,8 +143,8 @@ class People(Protocol):
         """End a session of a person, named by its number."""
         ...
 
-    async def keep_link(self, link: Link) -> None:
-        """Store a link; older unused ones of the same person end."""
+    async def keep_links(self, links: Sequence[Link], actor: str = "server") -> None:
+        """Store links; older unused ones of the same people end."""
         ...
 
     async def link(self, digest: str) -> Link | None:
@@ -152,7 +163,7 @@ class People(Protocol):
         """Tell whether somebody administers this server."""
         ...
 
-    async def keep_token(self, token: Token) -> None:
+    async def keep_token(self, token: Token, entry: Entry | None = None) -> None:
         """Store a token."""
         ...
 
@@ -164,6 +175,6 @@ class People(Protocol):
         """List the tokens of a person, newest first."""
         ...
 
-    async def revoke(self, person: str, number: str, now: datetime) -> bool:
+    async def revoke(self, person: str, number: str, now: datetime, entry: Entry | None = None) -> bool:
         """End a token of a person."""
         ...

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Protocol
 
+from server.storage.audit import Entry
 from server.storage.practice import Answers, Marked
 
 DRAFT, PUBLISHED = "draft", "published"
@@ -124,7 +125,7 @@ class NoAttemptLeft(RuntimeError):
 class Sets(Protocol):
     """A store of task sets."""
 
-    async def add(self, new: TaskSet) -> None:
+    async def add(self, new: TaskSet, entry: Entry | None = None) -> None:
         """Store a new draft with its slots."""
         ...
 
@@ -148,7 +149,9 @@ class Sets(Protocol):
         """List the students of a course, in the order of joining."""
         ...
 
-    async def publish(self, number: str, revision: int, cards: Sequence[Card], now: datetime) -> None:
+    async def publish(
+        self, number: str, revision: int, cards: Sequence[Card], now: datetime, entry: Entry | None = None
+    ) -> None:
         """Store the deck of a draft and publish it, together.
 
         Raises:
@@ -198,7 +201,9 @@ class Sets(Protocol):
         """Tell how many minutes more a student has."""
         ...
 
-    async def accommodate(self, number: str, person: str, minutes: int, reason: str) -> None:
+    async def accommodate(
+        self, number: str, person: str, minutes: int, reason: str, entry: Entry | None = None
+    ) -> None:
         """Give a student more time; 0 minutes take it back."""
         ...
 
@@ -206,7 +211,9 @@ class Sets(Protocol):
         """Give minutes and reason by student."""
         ...
 
-    async def move(self, number: str, due: datetime | None, closes: datetime | None) -> None:
+    async def move(
+        self, number: str, due: datetime | None, closes: datetime | None, entry: Entry | None = None
+    ) -> None:
         """Move the deadlines of a set."""
         ...
 

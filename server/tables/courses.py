@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sqlalchemy import Boolean, Column, ForeignKey, Index, String, Table, UniqueConstraint
+from sqlalchemy import Boolean, Column, ForeignKey, Index, String, Table, UniqueConstraint, false, true
 
 from server.tables.base import Moment, metadata
 
@@ -14,6 +14,7 @@ courses = Table(
     Column("time_zone", String(64), nullable=False),
     Column("join_code", String(16), unique=True),
     Column("archived", Boolean, nullable=False),
+    Column("claims", Boolean, nullable=False, server_default=false()),  # the code gives places of the roster away
     Column("keep_until", Moment),
     Column("created", Moment, nullable=False),
 )  # fmt: skip
@@ -33,5 +34,7 @@ memberships = Table(
     Column("role", String(16), nullable=False),  # student, assistant, lecturer
     Column("group", ForeignKey("groups.id")),
     Column("joined", Moment, nullable=False),
+    Column("claimed", Moment),  # when the course code gave this place of the roster away
+    Column("vouched", Boolean, nullable=False, server_default=true()),  # came here first, or joined while signed in
     Index(None, "person"),
 )  # fmt: skip

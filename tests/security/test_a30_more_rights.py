@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from starlette.testclient import TestClient
 
 from tests.server.school import CODE, PASSWORD, School
 
@@ -42,7 +43,7 @@ def test_no_link_leads_into_an_account_with_more_rights(school: School) -> None:
     for who in ("administrator", "stranger", "assistant", "lecturer"):
         reply = lecturer.post(f"{place}/members/{school.people[who]}/link")
         assert (reply.status_code, reply.json()["error"]["code"]) == (403, "no_reset"), who
-    assert lecturer.post(f"{place}/members/{school.people['outsider']}/link").status_code == 201
+    assert lecturer.post(f"{place}/members/{school.people['leaver']}/link").status_code == 201
 
 
 def test_an_account_of_a_roster_with_more_rights_is_not_claimed_by_a_code(school: School) -> None:
@@ -83,3 +84,56 @@ def test_a_token_has_no_more_rights_and_makes_no_tokens(school: School) -> None:
     assert again.status_code == 403
     old = {"old": PASSWORD, "password": "another password"}
     assert school.browser().post("/account/password", data=old, headers=bearer).status_code == 403
+
+
+def roster(browser: TestClient, course: str, login: str) -> None:
+    body = {"csv": f"{login};X", "apply": True}
+    assert browser.post(f"/api/v1/courses/{course}/roster", json=body).json()["applied"]
+
+
+def test_a_roster_does_not_open_the_account_of_a_student_of_another_course(school: School) -> None:
+    """Naming somebody's index number must not be a way to that person's password."""
+    stranger = school.browser("stranger")
+    own = stranger.get("/api/v1/courses").json()[0]["id"]
+    roster(stranger, own, "student")
+    for place in (f"/api/v1/courses/{own}", f"/courses/{own}"):
+        reply = stranger.post(f"{place}/members/{school.people['student']}/link")
+        assert (reply.status_code, reply.json()["error"]["code"]) == (403, "no_reset_elsewhere")
+    assert school.browser("student").get("/api/v1/me").status_code == 200
+    own_lecturer = school.browser("lecturer").post(f"/courses/{school.course}/members/{school.people['student']}/link")
+    assert own_lecturer.json()["error"]["code"] == "no_reset_elsewhere"  # from now on two lecturers share the student
+    helped = school.browser("administrator").post(f"/courses/{own}/members/{school.people['student']}/link")
+    assert helped.status_code == 200 and "/links/" in helped.text
+
+
+def test_a_roster_does_not_open_an_account_that_was_there_before(school: School) -> None:
+    """Also who is in no course practises; joining while signed in says that one trusts this lecturer."""
+    lecturer, place = school.browser("lecturer"), f"/api/v1/courses/{school.course}"
+    roster(lecturer, school.course, "outsider")
+    link = f"{place}/members/{school.people['outsider']}/link"
+    assert lecturer.post(link).json()["error"]["code"] == "no_reset_elsewhere"
+    assert school.browser("outsider").post("/api/v1/join", json={"code": CODE}).status_code == 201
+    assert lecturer.post(link).status_code == 201
+
+
+def test_a_link_ends_when_its_student_joins_another_course(school: School) -> None:
+    """A link made while the student was nowhere else must not outlive that."""
+    lecturer, stranger = school.browser("lecturer"), school.browser("stranger")
+    student = school.people["student"]
+    link = lecturer.post(f"/api/v1/courses/{school.course}/members/{student}/link").json()["link"]
+    path = link.removeprefix(school.bench.settings.address)
+    assert school.browser().get(path).status_code == 200
+    roster(stranger, stranger.get("/api/v1/courses").json()[0]["id"], "student")
+    assert school.browser().get(path).status_code == 404
+
+
+def test_taking_a_place_back_is_no_way_round(school: School) -> None:
+    """Taking a claimed place back and making a first link for it would open what was done elsewhere."""
+    lecturer, stranger = school.browser("lecturer"), school.browser("stranger")
+    roster(lecturer, school.course, "2001")
+    lecturer.post(f"/api/v1/courses/{school.course}/claims", json={"open": True})
+    new = {"code": CODE, "login": "2001", "name": "Olga", "password": PASSWORD}
+    person = school.browser().post("/api/v1/join", json=new).json()["id"]
+    roster(stranger, stranger.get("/api/v1/courses").json()[0]["id"], "2001")
+    reply = lecturer.post(f"/api/v1/courses/{school.course}/members/{person}/unclaim")
+    assert (reply.status_code, reply.json()["error"]["code"]) == (403, "no_reset_elsewhere")

@@ -25,7 +25,7 @@ def link_of(school: School, page: str) -> str:
 
 
 def test_the_first_link_makes_the_first_administrator_and_no_second(settings: Settings, school: School) -> None:
-    link = school.portal.call(identity.make_link, school.bench.people, settings, "first")
+    link = school.portal.call(identity.make_link, school.bench.people, settings, "first", "server")
     path = link.removeprefix(settings.address)
     assert school.browser().post(path, data=NEW).status_code == 404  # the school has an administrator
     assert accounts.first_link(settings) is None
@@ -72,17 +72,6 @@ def test_a_login_that_is_taken_is_not_signed_up_again(school: School) -> None:
     assert reply.status_code == 409 and "If you have an account, sign in" in reply.text
     assert browser.get("/api/v1/me").status_code == 401
     assert school.browser("outsider").get("/api/v1/courses").json() == []
-
-
-def test_a_student_of_the_roster_takes_the_own_place_by_course_link(school: School) -> None:
-    lecturer, browser = school.browser("lecturer"), school.browser()
-    roster = {"csv": "2001,Olga,A", "apply": True}
-    assert lecturer.post(f"/api/v1/courses/{school.course}/roster", json=roster).json()["applied"]
-    assert browser.post(f"/join/{CODE}", data=NEW).status_code == 303
-    members = lecturer.get(f"/api/v1/courses/{school.course}/members").json()
-    (olga,) = [member for member in members if member["login"] == "2001"]
-    assert (olga["name"], olga["group"], olga["signed_up"]) == ("Olga Nowa", school.group, True)
-    assert school.browser().post("/join/ZZZZ-0000", data=NEW).status_code == 409
 
 
 def test_a_lecturer_replaces_a_forgotten_password_by_a_link(school: School) -> None:

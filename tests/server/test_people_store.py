@@ -72,8 +72,8 @@ def test_a_link_sets_one_password_and_ends_the_sessions(kept: Database) -> None:
     async def used() -> list[object]:
         people = kept.people
         await people.begin(Session("d" * 64, ANNA.id, NOW, NOW, LATER, ""))
-        await people.keep_link(replace(link, digest="older"))
-        await people.keep_link(link)
+        await people.keep_links([replace(link, digest="older")])
+        await people.keep_links([link])
         racing = await asyncio.gather(*(people.redeem(link.digest, NOW, f"hash {i}") for i in range(5)))
         return [
             await people.link("older"),
@@ -87,7 +87,7 @@ def test_a_link_sets_one_password_and_ends_the_sessions(kept: Database) -> None:
 
 def test_a_link_that_has_expired_does_nothing(kept: Database) -> None:
     async def used() -> Person | None:
-        await kept.people.keep_link(Link("l" * 64, "reset", ANNA.id, None, NOW, LATER))
+        await kept.people.keep_links([Link("l" * 64, "reset", ANNA.id, None, NOW, LATER)])
         return await kept.people.redeem("l" * 64, LATER, "hash")
 
     assert asyncio.run(used()) is None
@@ -98,7 +98,7 @@ def test_there_is_one_first_administrator(database: Database) -> None:
     chief = Person("DDDD-DDDD-DDDD", "chief", "Chief", "administrator", NOW, "hash")
 
     async def race() -> list[bool]:
-        await database.people.keep_link(Link("l" * 64, "first", None, None, NOW, LATER))
+        await database.people.keep_links([Link("l" * 64, "first", None, None, NOW, LATER)])
         before = await database.people.has_administrator()
         others = (replace(chief, id=f"X{i}", login=f"x{i}") for i in range(4))
         won = await asyncio.gather(*(database.people.redeem_first("l" * 64, NOW, person) for person in others))
