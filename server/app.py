@@ -17,6 +17,7 @@ from exercises import catalogue
 from server import (
     access,
     account_pages,
+    audit_log,
     comparing,
     course_pages,
     courses,
@@ -70,6 +71,8 @@ ROUTERS = (
     courses.router,
     access.router,
     access.pages,
+    audit_log.router,
+    audit_log.pages,
     signin_pages.router,
     oidc_pages.router,
     account_pages.router,

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import TypeVar
 
-from sqlalchemy import Connection, RowMapping, func, insert, select
+from sqlalchemy import Connection, RowMapping, func, insert, select, union_all
 
 from server import ids
 from server.database.connections import Connections
 from server.storage.audit import Action, Entry, Line
-from server.tables import audit
+from server.tables import audit, courses, persons, task_sets
 
 T = TypeVar("T")
 LOCK = 0x6C6F  # any number, the same on all hosts: lines are added one after the other
@@ -37,6 +37,13 @@ class Audit:
         query = query if before is None else query.where(audit.c.id < before)
         rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
         return [_line(row) for row in rows]
+
+    async def names(self, numbers: Collection[str]) -> Mapping[str, str]:
+        """Give the names of people and the titles of sets and courses that are there."""
+        named = (persons.c.id, persons.c.name), (task_sets.c.id, task_sets.c.title), (courses.c.id, courses.c.title)
+        query = union_all(*(select(number, name).where(number.in_(numbers)) for number, name in named))
+        rows = await self._connections.read(lambda connection: connection.execute(query).all())
+        return {number: name for number, name in rows}
 
     async def broken(self) -> int | None:
         """Give the number of the first line that does not fit to the one before it; none where all do."""

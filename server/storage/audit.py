@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
@@ -79,6 +79,10 @@ class Audit(Protocol):
 
     async def lines(self, course: str | None, before: int | None, most: int) -> Sequence[Line]:
         """List the lines of a course, or all, before a line, the newest first."""
+        ...
+
+    async def names(self, numbers: Collection[str]) -> Mapping[str, str]:
+        """Give the names of people and the titles of sets and courses that are there."""
         ...
 
     async def broken(self) -> int | None:
