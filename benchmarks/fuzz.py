@@ -56,6 +56,7 @@ def report(found: Found, seconds: float, megabytes: float) -> bool:
     tokens, judged = found.tokens / found.inputs, found.judged / found.inputs
     print(f"{found.inputs} inputs in {seconds:.0f} s: {found.inputs / seconds:.0f} inputs/s")
     print(f"{tokens:.1%} pass the tokenizer, {judged:.1%} reach a judge, {found.right / found.inputs:.1%} are right")
+    print(f"{found.overlong} of the texts above 3000 characters reached a judge (tables and sentences)")
     print("judged:", ", ".join(f"{kind} {count}" for kind, count in found.kinds.most_common()))
     print("refused:", ", ".join(f"{reason} {count}" for reason, count in found.reasons.most_common(12)))
     unreached = sorted(set(KINDS) - set(found.kinds))

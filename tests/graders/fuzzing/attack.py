@@ -18,7 +18,7 @@ from graders.language.latex_reader import is_latex, rewritten
 from graders.language.tokens import tokenize
 from graders.units import read_unit
 from tests.graders.fuzzing.posed import posed
-from tests.graders.fuzzing.texts import Texts, hand_written
+from tests.graders.fuzzing.texts import LONGER, Texts, hand_written
 
 SLOW = 0.05  # s of processor time one answer may cost
 LONGEST_KEPT = 12
@@ -43,6 +43,7 @@ class Found:
     tokens: int = 0
     judged: int = 0
     right: int = 0
+    overlong: int = 0  # texts longer than a formula may be that a judge took all the same: tables, sentences
     kinds: Counter[str] = field(default_factory=Counter)
     reasons: Counter[str] = field(default_factory=Counter)
     crashes: list[str] = field(default_factory=list)
@@ -53,6 +54,7 @@ class Found:
         """Join what another process found."""
         self.inputs, self.tokens = self.inputs + other.inputs, self.tokens + other.tokens
         self.judged, self.right = self.judged + other.judged, self.right + other.right
+        self.overlong += other.overlong
         self.kinds.update(other.kinds)
         self.reasons.update(other.reasons)
         self.crashes += other.crashes
@@ -154,6 +156,8 @@ def _through(target: Target, text: str, found: Found) -> None:
     verdict = grader.check(answer, target.reference)
     grader.echo(answer, comma=True)
     grader.carried(answer)
+    grader.show(target.reference)
+    found.overlong += len(text) > LONGER
     found.judged += 1
     found.right += verdict.code is Code.RIGHT
     found.kinds[grader.kind] += 1

@@ -13,6 +13,8 @@ from graders.units import TABLE
 
 SPELLINGS = Path(__file__).parents[2] / "spellings"
 DEEPEST = 3
+OVERLONG = 0.01  # of the texts
+LONGER = 3000  # characters: no formula is as long
 MARKS = [
     *"+-*/^()[]<>=,;:|!√°'\"%.{}_&\\ ", *SAME, *SUPERSCRIPTS, *SUBSCRIPTS, *LOOK_ALIKES, *GREEK, "\u0307", "\u0308",
     "\u00a0", "\u202f", "\u200b", "\u202e", "e", "E", "\x00", "\ud800", "٣", "１", "½", "ﬁ", "\n", "𝛼", "İ", "ß",
@@ -45,7 +47,9 @@ class Texts:
         self.names = list(names) or ["x"]
 
     def text(self) -> str:
-        """Give one text."""
+        """Give one text; one in a hundred is longer than any field takes."""
+        if self.rng.random() < OVERLONG:
+            return self.overlong()
         if self.rng.random() < self.share:
             return self.mutated()
         kind = self.rng.random()
@@ -64,6 +68,11 @@ class Texts:
         for _ in range(self.rng.randrange(4)):
             text = changes[self.rng.randrange(len(changes))](text)
         return text[:2500]
+
+    def overlong(self) -> str:
+        """Repeat a text until it is longer than any field takes."""
+        text = self.pick((self.mutated(), self.by_grammar(), self.latex())) or "1"
+        return (text + self.pick(["", "+", ";", "\n", " "])) * (1 + self.rng.randrange(LONGER, 7 * LONGER) // len(text))
 
     def _spot(self, text: str) -> int:
         return self.rng.randrange(len(text) + 1)
