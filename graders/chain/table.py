@@ -6,13 +6,19 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import isfinite
 
+from flint import arb
+
+from graders.equality.turns import BRANCHES
+from graders.language.balls import BALLS, precision
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
-from graders.language.tree import Angle, Binary, Grid, Name, Number, Tree, Unary, names, walk
+from graders.language.tree import Angle, Binary, Call, Grid, Name, Number, Tree, Unary, names, walk
 
 THETA, D, A, ALPHA = range(4)
 STEPS = 24  # exact angles stand at steps of 15 degrees
 FINE, COARSE = 1e-4, 6e-3  # a rounded angle: pi/2 as 1.5708, as 1.57
+TURNING = BRANCHES | {"min", "max"}
+BITS, SURE = 256, 1e-30  # a value of 256 bits that is as wide hangs on rounding
 PI = Name("pi")
 
 
@@ -41,6 +47,22 @@ class Table:
         """Give the table with its angles read otherwise."""
         rows = [(change(theta), d, a, change(alpha)) for theta, d, a, alpha in self.rows]
         return Table(Grid(tuple(rows)))
+
+    @property
+    def turning(self) -> list[Call]:
+        """Give what is another formula elsewhere."""
+        nodes = (node for row in self.rows for entry in row for node in walk(entry))
+        return [node for node in nodes if isinstance(node, Call) and node.function in TURNING]
+
+    def unsure(self, symbols: Sequence[str], points: Sequence[Sequence[float]]) -> bool:
+        """Tell whether rounding alone decides a sign at some point."""
+        builder = Builder(symbols)
+        program = builder.program(*[builder.add(node) for node in self.turning])
+        if not program.outputs:
+            return False
+        with precision(BITS):
+            runner = Runner(program, BALLS)
+            return any(not value.rad() < SURE for point in points for value in runner.run([arb(x) for x in point]))
 
 
 def _rows(entries: Sequence[float]) -> list[tuple[float, ...]]:

@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 from graders.equality.deciding import Balls, Finding
 from graders.equality.probing import Row, Search, looks, open_turns
-from graders.equality.turns import TURNING, Turn, turns
+from graders.equality.steep import steep, summits
+from graders.equality.turns import TURNING, Turn, together, turns
 from graders.judge import Domain, Formula
 from graders.language.doubles import DOUBLES, domain_test
 from graders.language.intervals import Interval
@@ -119,7 +120,7 @@ class Pair:
 
     def compared(self) -> Comparison:
         """Compare the two."""
-        early = self.early()
+        early = self.early() or self._at_summits()
         if early is not None or not self.turns:
             return early or self._smooth()
         places = self._places(zip(self.turned.rows, self.points, strict=True), None)
@@ -130,6 +131,14 @@ class Pair:
             places += self._beside()
         places.sort(key=lambda place: not place.asked)
         return self._settled(places)
+
+    def _at_summits(self) -> Comparison | None:
+        """Give a difference that steep parts hide at most points."""
+        if not self.states.box or not steep(self.program):
+            return None
+        rows = zip(looks(Runner(self.program, DOUBLES), self.points), self.points, strict=True)
+        worst = [place.point for place in self._places(rows, None)[:WORST] if place.asked]
+        return self._first([*worst, *summits(self.program, self.states.box, self.points)])
 
     def _smooth(self) -> Comparison:
         """Ask the balls at a few points: an analytic difference that is zero there is zero."""
@@ -169,7 +178,13 @@ class Pair:
         found = list(search.beside(turned.turns, turned.ranges))
         crossed = [point for point, touched in found if not touched]
         touching = [point for point, touched in found if touched]
-        places = self._places(zip(looks(doubles, crossed), crossed, strict=True), None)
+        rows = looks(doubles, crossed)
+        groups = together(self.builder, turned.turns, self.program.outputs)
+        if groups:
+            joint = list(search.joint(turned.turns, groups, [*turned.rows, *rows]))
+            crossed, rows = [*crossed, *joint], [*rows, *looks(doubles, joint)]
+        self.searched = self.searched and not search.open
+        places = self._places(zip(rows, crossed, strict=True), None)
         for number, (row, point) in enumerate(zip(looks(doubles, touching), touching, strict=True)):
             places += self._places([(row, point)], number)
         return places

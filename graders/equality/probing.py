@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from graders.equality.sides import Found, Part, whole
-from graders.equality.turns import Turn
+from graders.equality.turns import Joint, Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
 from graders.language.intervals import INTERVALS, Interval
@@ -18,7 +19,11 @@ from graders.states import Point
 ALIKE = 1e-9  # relative difference of the ratios of two arguments that turn together
 MARGIN = 1e-12  # of an interval's ends, which are not rounded outwards
 
+WORK, LESS_WORK = 3000, 400  # operations on intervals of one search: where its end matters, and elsewhere
+MOST_JOINT = 24  # ways in which signs go together that are searched for
+
 Row: TypeAlias = list[float]
+Way: TypeAlias = Callable[[Sequence[Interval]], Interval]
 
 
 def look(runner: Runner, point: Point) -> Row:
@@ -66,6 +71,7 @@ class Search:
         rows: Their outputs, and behind them the values of the turns.
         mutual: Whether a point where only the answer has a value is a state.
         lines: Slots of the earlier names, which have a value at every state.
+        open: Numbers of the turns that were neither found to have another side nor proved to have none.
     """
 
     program: Program
@@ -74,6 +80,7 @@ class Search:
     rows: Sequence[Row]
     mutual: bool
     lines: tuple[int, ...] = ()
+    open: list[int] = field(default_factory=list)
 
     def beside(self, turns: Sequence[Turn], ranges: Sequence[Interval]) -> Iterator[tuple[Point, bool]]:
         """Give points beside each turn; those around a touched zero, where no sign changes, are marked."""
@@ -84,9 +91,41 @@ class Search:
         for at in range(len(turns)):
             alike = [other for other in done if turns[other].edge is turns[at].edge and _alike(held[at], held[other])]
             if not alike:
-                one_sided = ranges[at][0] >= 0 or (at in ends and self._both_end(turns, held, at))
-                yield from self._part(turns[at], guarded).sides(held[at], one_sided)
+                one_sided, edge = (
+                    not ranges[at][0] < 0 or (at in ends and self._both_end(turns, held, at)),
+                    turns[at].edge,
+                )
+                sides = self._part((turns[at].slot,), guarded, itself, not edge).sides(held[at], one_sided, edge)
+                if not (sides.proved or edge):
+                    self.open.append(at)
+                yield from ((point, sides.touched) for point in sides.points)
             done.append(at)
+
+    def joint(self, turns: Sequence[Turn], groups: Sequence[Joint], rows: Sequence[Row]) -> Iterator[Point]:
+        """Give a point for each way in which the signs of turns that act on one another go together.
+
+        Args:
+            turns: What turns.
+            groups: Which of them act on one another.
+            rows: The outputs at all points that are looked at.
+        """
+        rows = [row for row in rows if any(map(math.isfinite, row[: 1 + self.mutual]))]
+        guarded, tries = any(turn.edge for turn in turns), 0
+        for group in groups:
+            columns = [[row[2 + at] for row in rows] for at in group.turns]
+            sizes = [max(filter(math.isfinite, map(abs, column)), default=0.0) or 1.0 for column in columns]
+            for signs in _unseen(columns):
+                tries += 1
+                if tries > MOST_JOINT:
+                    self.open.append(group.turns[0])
+                    return
+                way = _all_of([-1 / size if sign else 1 / size for size, sign in zip(sizes, signs, strict=True)])
+                part = self._part(tuple([turns[at].slot for at in group.turns]), guarded, way, group.apart)
+                least = min(((part.value(point), point) for point in self.points), key=lambda one: _number(one[0]))
+                found = part.below(least)
+                if group.apart and not found.proved:
+                    self.open.append(group.turns[0])
+                yield from found.points
 
     def _both_end(self, turns: Sequence[Turn], held: Mapping[int, list[Found]], at: int) -> bool:
         """Tell whether no state lies beyond an edge: the reference (if mutual: both sides) ends there."""
@@ -104,8 +143,8 @@ class Search:
             if math.isfinite(row[2 + number]) and any(map(math.isfinite, row[: 1 + self.mutual]))
         ]
 
-    def _part(self, turn: Turn, guarded: bool) -> Part:
-        alone = self.program.only(turn.slot)
+    def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
+        alone = self.program.only(*slots)
         inputs = {slot for _, arguments in alone.operations for slot in arguments} | set(alone.outputs)
         guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
         enough = any if self.mutual else all
@@ -116,13 +155,49 @@ class Search:
         doubles, intervals = Runner(alone, DOUBLES), Runner(alone, INTERVALS)
         moving = tuple(at for at in range(len(self.box)) if at in inputs)
         return Part(
-            lambda point: look(doubles, point)[0],
+            lambda point: way([(value, value) for value in look(doubles, point)])[0],
             state,
-            lambda box: intervals.run(box)[0],
+            lambda box: way(intervals.run(box)),
             self.box,
             moving,
             1 + len(alone.operations),
+            WORK if deep else LESS_WORK,
+            deep,
         )
+
+
+def _unseen(columns: Sequence[Sequence[float]]) -> list[tuple[bool, ...]]:
+    """Give the ways in which signs go together at no point, but for turns that are proportional."""
+    seen = {tuple([value > 0 for value in row]) for row in zip(*columns, strict=True)}
+    tied = []
+    for (one, first), (other, second) in combinations(enumerate(columns), 2):
+        for factor in (1, -1):
+            if _tied(first, [factor * value for value in second]):
+                tied.append((one, other, factor > 0))
+    ways = product((False, True), repeat=len(columns))
+    return [
+        way for way in ways
+        if way not in seen and all((way[one] == way[other]) is same for one, other, same in tied)
+    ]  # fmt: skip
+
+
+def itself(values: Sequence[Interval]) -> Interval:
+    """Give the only one of some values."""
+    return values[0]
+
+
+def _all_of(factors: Sequence[float]) -> Way:
+    """Make the greatest of some values times their factors: it is negative where all of them are."""
+
+    def greatest(values: Sequence[Interval]) -> Interval:
+        ends = [sorted((low * k, high * k)) for k, (low, high) in zip(factors, values, strict=True)]
+        return max(low for low, _ in ends), max(high for _, high in ends)
+
+    return greatest
+
+
+def _number(value: float) -> float:
+    return math.inf if math.isnan(value) else value
 
 
 def _open(turn: Turn, values: Interval) -> bool:
@@ -136,7 +211,11 @@ def _alike(one: Sequence[Found], other: Sequence[Found]) -> bool:
     """Tell whether two arguments are proportional at all points, with a positive factor: they turn together."""
     if one is other:
         return True
+    return _tied([value for value, _ in one], [value for value, _ in other])
+
+
+def _tied(one: Sequence[float], other: Sequence[float]) -> bool:
     if len(one) != len(other) or len(one) < 4:
         return False
-    ratios = [a / b if b else -1.0 for (a, _), (b, _) in zip(one, other, strict=True)]
+    ratios = [a / b if b else -1.0 for a, b in zip(one, other, strict=True)]
     return min(ratios) > 0 and max(ratios) <= min(ratios) * (1 + ALIKE)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -12,16 +12,17 @@ from graders.judge import Domain
 from graders.language.intervals import Interval
 from graders.states import Point, near_end
 
-BOXES = 40  # of branch and bound, at most
-WORK = 400  # operations on intervals of one branch and bound, but for eight boxes
-HALVINGS = 16  # of the step of a descent
+BOXES, LEAST_BOXES = 160, 8  # of branch and bound
+WIDE, FINE, FINEST = 0.25, 4e-6, 2e-14  # steps of a descent, as shares of a domain
+STARTS, DEEP = 4, 8000  # descents to the finest steps where nothing was proved, and their operations
 STILL = 5  # halvings without a lower value, behind which there is none near...
 CLEAR = 0.01  # ...where this share of the greatest value is left
 BISECTIONS = 34
 ASIDE = (1e-3, 1e-6, 1e-10)  # distances from a border, as shares of the way between two points
 END = 1e-12  # distance from the end of a domain, as a share of its width
 TOUCHING = 1e-7  # of the usual size of an argument
-ROUND = 2e-4  # how far from a touched zero, as a share of a domain
+ZERO = 1e-12  # of the usual size of an argument: what doubles leave of a zero
+ROUND, NARROW = 2e-4, 2e-8  # how far from a touched zero, as a share of a domain
 
 Box: TypeAlias = tuple[Interval, ...]
 Found: TypeAlias = tuple[float, Point]
@@ -30,6 +31,18 @@ Found: TypeAlias = tuple[float, Point]
 def whole(box: Sequence[Domain]) -> Box:
     """Give all of a box as intervals of doubles; whole numbers would grow without a bound in powers."""
     return tuple([(float(domain.low), float(domain.high)) for domain in box])
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """Points on both sides of a zero, or around one that is touched; whether what was not found is proved not to be."""
+
+    points: tuple[Point, ...]
+    touched: bool = False
+    proved: bool = True
+
+
+NOTHING = Sides(())
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +56,8 @@ class Part:
         box: The domains of all symbols.
         moving: Numbers of the symbols that it depends on.
         size: Its number of operations.
+        work: Operations on intervals that its branch and bound may take.
+        deep: Whether what this leaves open is followed further in doubles.
     """
 
     value: Callable[[Point], float]
@@ -51,39 +66,62 @@ class Part:
     box: tuple[Domain, ...]
     moving: tuple[int, ...]
     size: int
+    work: int
+    deep: bool
 
-    def sides(self, held: Sequence[Found], one_sided: bool) -> Iterator[tuple[Point, bool]]:
-        """Give points on both sides of the zero, or around a zero that is only touched (marked).
+    def sides(self, held: Sequence[Found], one_sided: bool, edge: bool) -> Sides:
+        """Give points on both sides of the zero, or around a zero that is only touched.
 
         Args:
             held: Values at some points.
-            one_sided: The argument is known not to change its sign.
+            one_sided: No state lies where the argument has another sign.
+            edge: A zero counts also where it is only touched.
         """
         if not held or not self.moving:
-            return
+            return NOTHING
         low, high = min(held), max(held)
         if low[0] < 0 < high[0]:
-            yield from ((point, False) for point in self._beside(low[1], high[1]))
-            return
+            return Sides(self._beside(low[1], high[1]))
         sign = 1.0 if high[0] > 0 else -1.0
         start, far = (low, high) if sign > 0 else ((-high[0], high[1]), (-low[0], low[1]))
-        best = self._descent(start, sign, far[0])
-        if best[0] >= 0 and not one_sided:
-            best = self._bounded(best, sign)
+        best, proved = self._descent(start, sign, far[0]), True
+        touching = TOUCHING * far[0]
+        if best[0] >= 0 and not one_sided and best[0] > (touching if edge else ZERO * far[0]):
+            best, proved = self._bounded(best, sign)
         if best[0] < 0:
-            yield from ((point, False) for point in self._beside(far[1], best[1]))
-        elif best[0] <= TOUCHING * far[0]:
-            yield from ((point, True) for point in self._round(best[1]))
+            return Sides(self._beside(far[1], best[1]))
+        if best[0] <= touching:
+            nothing, narrow = ZERO * far[0], best[0] > ZERO * far[0]
+            best = self._lowered(best, sign, (FINE, FINEST), math.inf, nothing) if narrow else best
+            return Sides(self._round(best[1], narrow), touched=True, proved=proved or best[0] <= nothing)
+        return NOTHING if proved else Sides((), proved=False)
+
+    def below(self, start: Found) -> Sides:
+        """Give a point where the value is negative, from a start where it is not."""
+        best, proved = self._descent(start, 1.0, start[0]), True
+        if best[0] >= 0:
+            best, proved = self._bounded(best, 1.0)
+        return Sides((best[1],) if best[0] < 0 else (), proved=proved)
 
     def _descent(self, best: Found, sign: float, usual: float) -> Found:
         """Go down until the sign changes: from corner to corner first, then by ever smaller steps."""
         for high in (False, True, False, True):
             for at in self.moving:
                 best = self._better(best, at, near_end(self.box[at], high, END), sign)
-        step, still = 0.25, 0
-        for _ in range(HALVINGS):
-            if best[0] < 0 or (still > STILL and best[0] > CLEAR * usual):
-                break
+        return self._lowered(best, sign, (WIDE, FINE), CLEAR * usual)
+
+    def _lowered(self, best: Found, sign: float, steps: tuple[float, float], clear: float, floor: float = 0.0) -> Found:
+        """Step along the symbols with ever smaller steps, from the first to the last share of a domain.
+
+        Args:
+            best: Where to start.
+            sign: Of the values at the points that were looked at.
+            steps: The first and the last step.
+            clear: A value above which some steps without a lower one end it.
+            floor: A value below which it ends.
+        """
+        (step, last), still = steps, 0
+        while step > last and best[0] >= floor and not (still > STILL and best[0] > clear):
             before = best
             for at in self.moving:
                 width = step * (self.box[at].high - self.box[at].low)
@@ -103,22 +141,33 @@ class Part:
         inside = min(max(place, near_end(domain, False, END)), near_end(domain, True, END))
         return (*point[:at], float(round(inside)) if domain.integer else inside, *point[at + 1 :])
 
-    def _bounded(self, best: Found, sign: float) -> Found:
-        """Branch and bound: a point of the other side, where one is found."""
-        start = whole(self.box)
+    def _bounded(self, best: Found, sign: float) -> tuple[Found, bool]:
+        """Branch and bound: a point of the other side, where one is found, and whether there is proved to be none."""
+        start, seen = whole(self.box), [best]
         heap = [(self._bound(start, sign), 0, start)]
-        for number in range(1, 2 * min(BOXES, max(8, WORK // (3 * self.size))), 2):
+        for number in range(1, 2 * min(BOXES, max(LEAST_BOXES, self.work // (3 * self.size))), 2):
             bound, _, box = heapq.heappop(heap)
             if bound >= 0:
-                break
+                return best, True
             middle = best[1]
             for at in self.moving:
                 middle = self._moved(middle, at, (box[at][0] + box[at][1]) / 2)
             found = sign * self.value(middle)
-            if found < 0 and self.state(middle):
-                return found, middle
+            if self.state(middle):
+                if found < 0:
+                    return (found, middle), True
+                seen.append((found, middle))
             for more, half in enumerate(self._halves(box)):
                 heapq.heappush(heap, (self._bound(half, sign), number + more, half))
+        return self._deep(seen, sign) if self.deep else best, False
+
+    def _deep(self, seen: Sequence[Found], sign: float) -> Found:
+        """Follow the lowest of some points down to steps as small as doubles know."""
+        best, steps = min(seen), max(1, DEEP // (88 * len(self.moving) * self.size))
+        for start in sorted(one for one in seen if not math.isnan(one[0]))[: min(STARTS, steps)]:
+            best = min(best, self._lowered(start, sign, (WIDE, FINEST), math.inf))
+            if best[0] < 0:
+                break
         return best
 
     def _bound(self, box: Box, sign: float) -> float:
@@ -133,12 +182,11 @@ class Part:
         middle = (low + high) / 2
         return (*box[:at], (low, middle), *box[at + 1 :]), (*box[:at], (middle, high), *box[at + 1 :])
 
-    def _beside(self, one: Point, other: Point) -> Iterator[Point]:
+    def _beside(self, one: Point, other: Point) -> tuple[Point, ...]:
         """Find the border between two points of different sides, and give points on both sides of it."""
         low, high = self._border(one, other)
-        for distance in ASIDE:
-            yield self._between(one, other, max(0.0, low - distance))
-            yield self._between(one, other, min(1.0, high + distance))
+        shares = [share for distance in ASIDE for share in (max(0.0, low - distance), min(1.0, high + distance))]
+        return tuple([self._between(one, other, share) for share in shares])
 
     def _border(self, one: Point, other: Point) -> tuple[float, float]:
         """Enclose the border between two points: where a straight line would cross, if that is it, else by halving."""
@@ -168,8 +216,11 @@ class Part:
         """Give the numbers of the symbols that are whole numbers."""
         return tuple([at for at, domain in enumerate(self.box) if domain.integer])
 
-    def _round(self, point: Point) -> Iterator[Point]:
-        """Step aside from a touched zero along every symbol."""
-        for at in self.moving:
-            width = ROUND * (self.box[at].high - self.box[at].low)
-            yield from (self._moved(point, at, point[at] + way) for way in (-width, width))
+    def _round(self, point: Point, narrow: bool) -> tuple[Point, ...]:
+        """Step aside from a touched zero along every symbol; of a narrow one by smaller steps too."""
+        widths = [
+            (at, share * (self.box[at].high - self.box[at].low))
+            for at in self.moving
+            for share in ((ROUND, NARROW) if narrow else (ROUND,))
+        ]
+        return tuple([self._moved(point, at, point[at] + way) for at, width in widths for way in (-width, width)])

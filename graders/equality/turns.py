@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
+from typing import TypeAlias
 
 from graders.language.program import Builder, Operation
 from graders.language.tree import Number
@@ -11,9 +13,12 @@ from graders.language.tree import Number
 BRANCHES = frozenset(("abs", "sign", "macaulay"))  # the sign of the argument chooses the function
 EDGES = frozenset(("sqrt", "root", "ln", "log", "log_base"))  # beyond zero there is no value, at zero a branch point
 WRAPPING = frozenset(("atan", "acot"))  # a pole inside is a jump
+SUMS = frozenset(("+", "-", "negate", "degrees"))  # what turns in their parts does not act on one another
+MOST_GROUPS, LARGEST = 24, 3  # sets of turns that are kept apart, and the turns of one
 TURNING = BRANCHES | EDGES | WRAPPING | {"min", "max", "atan2", "asin", "acos", "^"}
 ENDING = EDGES | {"asin", "acos", "^"}
 ONE = Number("1")
+Groups: TypeAlias = frozenset[frozenset[int]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +59,54 @@ def turns(builder: Builder, right: Sequence[int], typed: int) -> list[Turn]:
             one, other = (at in side for side in sides)
             found[slot] = Turn(slot, old.edge or operation[0] in ENDING, old.right or one, old.typed or other)
     return list(found.values())
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """Turns, by their numbers, whose signs act on one another; whether each stands by itself, in a product."""
+
+    turns: tuple[int, ...]
+    apart: bool
+
+
+def together(builder: Builder, found: Sequence[Turn], outputs: Sequence[int]) -> list[Joint]:
+    """Give the turns whose signs act on one another: in a product, in an argument that turns, in a direction.
+
+    Edges are left out: beyond them there is no value. Where signs stand in a sum alone, each is told by itself.
+    """
+    numbers = {turn.slot: number for number, turn in enumerate(found) if not turn.edge}
+    if len(numbers) < 2:
+        return []
+    operations, groups = tuple(builder.operations), dict[int, Groups]()
+    inside, directions = dict[int, frozenset[int]](), set[frozenset[int]]()
+    for at, operation in enumerate(operations, len(builder.inputs)):
+        own = frozenset(numbers[slot] for slot in _turning(builder, operation, False) if slot in numbers)
+        parts = [groups[slot] for slot in dict.fromkeys(operation[1]) if groups.get(slot)]
+        if operation[0] == "atan2":
+            directions |= {own} if len(own) > 1 else set()
+            own = frozenset()
+        within = frozenset[int]().union(*(group for part in parts for group in part))
+        inside |= {number: within for number in own}
+        groups[at] = _joined(operation, parts, own)
+    every = frozenset[frozenset[int]]().union(*(groups.get(slot, frozenset()) for slot in outputs))
+    sets = {part for group in every for part in _small(group) if len(part) > 1} | directions
+    kept = sorted(tuple(sorted(one)) for one in sets if not any(one < other for other in sets))
+    return [Joint(one, frozenset(one) not in directions and not any(inside[at] & {*one} for at in one)) for one in kept]
+
+
+def _joined(operation: Operation, parts: Sequence[Groups], own: frozenset[int]) -> Groups:
+    name = operation[0]
+    if not parts:
+        return frozenset((own,)) if own else frozenset()
+    if not own and (name in SUMS or (name in ("*", "/") and len(parts) == 1 and len(operation[1]) == 2)):
+        return frozenset[frozenset[int]]().union(*parts)
+    if name == "*" and len(parts) == 2 and len(parts[0]) * len(parts[1]) <= MOST_GROUPS:
+        return frozenset(one | other for one in parts[0] for other in parts[1])
+    return frozenset((own.union(*(group for part in parts for group in part)),))
+
+
+def _small(group: frozenset[int]) -> list[frozenset[int]]:
+    return [group] if len(group) <= LARGEST else [frozenset(pair) for pair in combinations(sorted(group), 2)]
 
 
 def _needed(builder: Builder, outputs: Sequence[int]) -> set[int]:

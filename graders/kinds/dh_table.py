@@ -19,7 +19,7 @@ from graders.language.mathml import mathml_of
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, children, names, walk
-from graders.verdict import RIGHT, Code, Flaws, Verdict, wrong
+from graders.verdict import RIGHT, UNDECIDED, Code, Flaws, Verdict, wrong
 
 COLUMNS = 4
 WRITTEN = (Code.TABLE_DEGREES, Code.TABLE_ROUNDED, Code.TABLE_COLUMNS, Code.TABLE_ROWS)  # the frames are well chosen
@@ -75,13 +75,19 @@ class DHTable:
         try:
             exact, agreed = self._agreement(answer, reference)
             if exact:
-                return RIGHT
+                return UNDECIDED if self._turns(answer) else RIGHT
+            if answer.unsure(reference.names, reference.points):
+                return UNDECIDED
             found = flaw(judged(answer, reference, self.joints, self.convention, self.variables), agreed)
         except UndefinedError:
             return wrong(Code.UNDEFINED)
         complete = min(agreed.rows, len(self.joints) - 1)
         score = max(complete / len(self.joints), WRITTEN_CREDIT if found.code in WRITTEN else 0.0)
         return Verdict(score, found.code, Flaws((found,))) if score else wrong(Code.WRONG, Flaws((found,)))
+
+    def _turns(self, answer: Table) -> bool:
+        """Tell whether an entry may be another formula between the states, as no right table needs to be."""
+        return any(names(node) & set(self.variables) for node in answer.turning)
 
     def _fits(self, answer: Table) -> bool:
         return len(answer.rows) == len(self.joints) and len(answer.rows[0]) == COLUMNS

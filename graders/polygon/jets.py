@@ -16,6 +16,7 @@ Pair: TypeAlias = tuple[float, float]  # a value, and how much it moves when all
 Slopes: TypeAlias = Callable[[float], Trio]
 
 DEGREE = math.pi / 180
+NOTHING = 1e-12  # of the sensitivity of a value: the rounding of doubles
 
 
 def _atan(x: float) -> Trio:
@@ -164,6 +165,21 @@ def _felt(slopes: Slopes) -> Callable[[Pair], Pair]:
     return feel
 
 
+class UnsureError(ArithmeticError):
+    """A jump stands where rounding alone decides its side."""
+
+
+def _jump(value: Callable[[float], float]) -> Callable[[Pair], Pair]:
+    """Feel a jump at zero: what is nothing beside its own parts has no sure side."""
+
+    def feel(inner: Pair) -> Pair:
+        if abs(inner[0]) <= NOTHING * inner[1]:
+            raise UnsureError
+        return value(inner[0]), abs(value(inner[0]))
+
+    return feel
+
+
 def _two(function: Callable[[Trio, Trio], Trio]) -> Callable[[Pair, Pair], Pair]:
     """Feel a function of two arguments through its derivative by each."""
 
@@ -175,12 +191,22 @@ def _two(function: Callable[[Trio, Trio], Trio]) -> Callable[[Pair, Pair], Pair]
     return feel
 
 
+_step = _jump(lambda x: float(x > 0))
+_higher = _two(_bracket)
+
+
+def _felt_bracket(inside: Pair, order: Pair) -> Pair:
+    return _step(inside) if order[0] == 0 else _higher(inside, order)
+
+
 SENSITIVE = Arithmetic(
     lambda number: (DOUBLES.literal(number), abs(DOUBLES.literal(number))),
     {
         **{name: _felt(slopes) for name, slopes in FUNCTIONS.items()},
-        **{name: _two(JETS.functions[name]) for name in ("/", "^", "atan2", "min", "max", "macaulay", "root")},
+        **{name: _two(JETS.functions[name]) for name in ("/", "^", "atan2", "min", "max", "root")},
         "log_base": _two(JETS.functions["log_base"]),
+        "sign": _jump(DOUBLES.functions["sign"]),
+        "macaulay": _felt_bracket,
         "+": lambda a, b: (a[0] + b[0], a[1] + b[1]),
         "-": lambda a, b: (a[0] - b[0], a[1] + b[1]),
         "*": lambda a, b: (a[0] * b[0], abs(a[0]) * b[1] + abs(b[0]) * a[1]),

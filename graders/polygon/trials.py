@@ -9,15 +9,16 @@ from math import cos, inf, sin
 
 from graders.language.doubles import UndefinedError
 from graders.language.parser import parse_line
-from graders.language.tree import Tree
+from graders.language.tree import Call, Tree, names, walk
 from graders.polygon.drawn import Axis, Drawn
-from graders.polygon.jets import Trio, jet, runner
+from graders.polygon.jets import Trio, UnsureError, jet, runner
 from graders.polygon.naming import Named
 from graders.polygon.walks import Walk
 from graders.verdict import Code, Flaw
 
 TRUE = 1e-9  # residual over the sensitivity of the equation: true below, false above the other, open between
 FALSE = 1e-6
+TURNING = frozenset(("abs", "sign", "macaulay", "min", "max"))  # functions that are others elsewhere
 DRAWS = 6
 PAIRS = 1200  # two slips in one equation are looked for up to this many combinations
 GOLDEN = 0.6180339887498949
@@ -28,34 +29,48 @@ Row = Mapping[str, Trio]
 class Residual:
     """Left minus right of an equation, made once and taken at many states."""
 
-    __slots__ = ("inputs", "run")
+    __slots__ = ("inputs", "run", "turning")
 
     def __init__(self, tree: Tree) -> None:
         made = runner(tree, "sensitive")
         self.inputs, self.run = made.inputs, made.run
+        self.turning = any(isinstance(node, Call) and node.function in TURNING and names(node) for node in walk(tree))
 
     def at(self, row: Mapping[str, float]) -> float | None:
-        """Give the residual over its sensitivity; None where it has no value; infinite where a name has none."""
+        """Give the residual over its sensitivity: None where it has no value, infinite where a name has none.
+
+        Raises:
+            UnsureError: Rounding decides the value.
+        """
         if any(name not in row for name in self.inputs):
             return inf
         try:
             ((value, size),) = self.run([(row[name], abs(row[name])) for name in self.inputs])
+        except UnsureError:
+            raise
         except (ValueError, ArithmeticError, TypeError):
             return None
         return abs(value) / size if size else 0.0
 
 
 def truth(residual: Residual, rows: Iterable[Mapping[str, float]]) -> bool | None:
-    """Tell whether left minus right vanishes at all states; None where doubles cannot tell."""
+    """Tell whether left minus right vanishes at all states; None where doubles cannot tell.
+
+    What holds at all states but turns in between may be another formula there, and is not told either.
+    """
     worst, seen = 0.0, False
     for row in rows:
-        found = residual.at(row)
+        try:
+            found = residual.at(row)
+        except UnsureError:
+            seen, worst = True, inf
+            continue
         if found is None:
             continue
         if not found <= FALSE:
             return False
         seen, worst = True, max(worst, found)
-    return (True if worst <= TRUE else None) if seen else False
+    return (True if worst <= TRUE and not residual.turning else None) if seen else False
 
 
 def free_rows(named: Named, more: Iterable[str] = (), derived: Iterable[tuple[str, str]] = ()) -> list[dict[str, Trio]]:

@@ -13,6 +13,7 @@ from graders.solutions.zeros import FAR, NEAR, Zero
 
 FINE = 1024  # bits for a zero of high order
 SHRUNK = arb(2) ** -20
+FLAT = arb(2) ** -100
 SLANT = 0.7548776662  # shares of the ranges by which the symbols are moved, so that no direction is special
 
 
@@ -71,9 +72,14 @@ def _small(side: Side, middle: Sequence[arb], free: Sequence[int], flat: bool) -
         return False
     pairs = [pair for values in near for pair in zip(here, values, strict=True)]
     return all(
-        value.abs_upper() < SHRUNK * beyond.abs_lower() or (flat and value.contains(0) and beyond.contains(0))
+        value.abs_upper() < SHRUNK * beyond.abs_lower() or (flat and flat_zero(value) and beyond.contains(0))
         for value, beyond in pairs
     )
+
+
+def flat_zero(value: arb) -> bool:
+    """Tell whether a ball holds zero and nothing far from it: the sign of what vanishes is no zero."""
+    return bool(value.contains(0) and value.abs_upper() < FLAT)
 
 
 def _hole(side: Side, middle: Sequence[arb], free: Sequence[int]) -> Beside:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import reduce
 
 from graders.equality.probing import Search, look, looks, open_turns
-from graders.equality.turns import turns
+from graders.equality.turns import together, turns
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
 from graders.language.program import Builder, Program, Runner
@@ -23,9 +23,18 @@ END = 1e-3  # of a range: near its end
 CORNERS = (0.01, 0.5, 0.99)
 
 
-def branch_starts(
-    scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], effort: Effort, most: int
-) -> list[list[float]]:
+@dataclass(frozen=True, slots=True)
+class Branches:
+    """Points in the branches that were found; whether there is proved to be no other."""
+
+    points: list[list[float]]
+    proved: bool
+
+
+NONE = Branches([], True)
+
+
+def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], effort: Effort, most: int) -> Branches:
     """Give points in every branch, deep in it and beside its border, also where it is a corner of the box.
 
     Args:
@@ -39,22 +48,27 @@ def branch_starts(
     outputs = [_joined(builder, trees) for trees in sides]
     found = turns(builder, (outputs[0], *lines), outputs[1])
     if not found:
-        return []
+        return NONE
     box = tuple(Domain(low, high) for low, high in scene.ranges)
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(2 * len(program.operations))
     found, ranges = open_turns(program, box, found)
-    found, ranges = found[:MOST_TURNS], ranges[:MOST_TURNS]
+    every, found, ranges = len(found), found[:MOST_TURNS], ranges[:MOST_TURNS]
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))
     turning = Turning(scene, program, Runner(program, DOUBLES))
     rows = looks(turning.runner, scene.points)
     search = Search(program, box, scene.points, rows, True, tuple(lines))
     beside = list(search.beside(found, ranges))
+    groups = together(builder, found, outputs)
+    if groups:
+        looked = looks(turning.runner, [point for point, _ in beside])
+        beside += [(point, False) for point in search.joint(found, groups, [*rows, *looked])]
     deep = [*scene.points, *turning.climbed(rows), *_ends(scene)]
     chosen = [*turning.one_each(deep), *(point for point, touched in beside if touched)]
     chosen += turning.one_each([point for point, touched in beside if not touched])
-    return [list(point) for point in dict.fromkeys(map(tuple, chosen))][:most]
+    points = [list(point) for point in dict.fromkeys(map(tuple, chosen))]
+    return Branches(points[:most], every <= MOST_TURNS and not search.open)
 
 
 def _joined(builder: Builder, trees: Sequence[Tree]) -> int:

@@ -16,8 +16,8 @@ from flint import arb
 from graders.equality import Finding
 from graders.language.balls import precision
 from graders.language.tree import Relation, Tree
-from graders.solutions.beside import Beside, beside
-from graders.solutions.branches import branch_starts
+from graders.solutions.beside import Beside, beside, flat_zero
+from graders.solutions.branches import Branches, branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.reduction import degrees, factors, reduced, residual
 from graders.solutions.scene import (
@@ -79,7 +79,7 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
         try:
             trees = [reduced(residual(equation), unknowns) for equation in (reference, answer)]
             pair = Pair(scene, trees, scene.names.index(unknown))
-            return pair.by_ratio() or pair.by_zeros()
+            return pair.known(pair.by_ratio() or pair.by_zeros())
         except TooMuchWork:
             return UNDECIDED
 
@@ -105,6 +105,10 @@ class Pair:
             [Factor(Side(self.both, 2 + which if several else which, (k,)), tree) for k, tree in enumerate(part)]
             for which, part in enumerate(parts)
         ]
+
+    def known(self, found: Found) -> Found:
+        """Give equality up where a branch may have been missed."""
+        return found if found.finding is not Finding.EQUAL or self._found.proved else UNDECIDED
 
     def by_ratio(self) -> Found | None:
         """Tell whether the ratio of the two is constant in the unknown; None where it is not, or has no value."""
@@ -141,9 +145,13 @@ class Pair:
         return arb(low + (high - low) * ((share + SHARE) % 1.0))
 
     @cached_property
+    def _found(self) -> Branches:
+        return branch_starts(self.scene, (self.trees[:1], self.trees[1:]), self.both.effort, BRANCHES)
+
+    @property
     def branches(self) -> list[list[float]]:
         """Give points on both sides of everything that turns in one of the two."""
-        return branch_starts(self.scene, (self.trees[:1], self.trees[1:]), self.both.effort, BRANCHES)
+        return self._found.points
 
     def by_zeros(self) -> Found:
         """Find zeros of each and test the other there."""
@@ -167,6 +175,7 @@ class Pair:
             self._regions(points[:TRIED]),
             self._in_turn(self._spread),
             self._regions(points[TRIED:REGIONS]),
+            self._regions(self.branches),
         ):
             for which, zero in source:
                 found[which].append(zero)
@@ -190,7 +199,7 @@ class Pair:
         """Give points in the middle of the box where a side is zero: an identity, a bracket that is not open."""
         for point in exactly(points):
             for which, value in enumerate(self.both.balls(point)[:2]):
-                if value is not None and value.contains(0):
+                if value is not None and flat_zero(value):
                     yield which, Zero(tuple(point), (self.unknown,))
 
     @cached_property

@@ -6,6 +6,7 @@ They are tested inside, exactly on every border that is found, and between neigh
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import cached_property
 from itertools import islice, pairwise
 from typing import TypeAlias
 
@@ -15,7 +16,7 @@ from graders.equality import Finding
 from graders.language.balls import precision
 from graders.language.tree import Binary, Relation, Tree
 from graders.solutions.beside import SLANT, Beside, beside
-from graders.solutions.branches import branch_starts
+from graders.solutions.branches import Branches, branch_starts
 from graders.solutions.equations import EQUAL, UNDECIDED, Found
 from graders.solutions.scene import (
     BITS,
@@ -36,7 +37,7 @@ LINES = 4  # points through which borders are looked for
 NODES = 33
 NUDGE = 2.0**-30  # of a range
 ASIDE = 0.43  # of the way between two borders: the middle may be a special place
-MOST_BRANCHES, BRANCHES = 40, 4  # points in branches, and those through which borders are looked for
+MOST_BRANCHES = 40  # points in branches, through which borders are looked for
 MOST = 6  # borders of one line
 INEQUALITY_WORK = 30_000
 Place: TypeAlias = tuple[int, int]  # a side and one of its residuals
@@ -53,7 +54,7 @@ def compare_inequalities(answer: Relation, reference: Relation, scene: Scene) ->
         return EQUAL
     with precision(BITS):
         try:
-            return Regions(scene, reference, answer).compared()
+            return Regions(scene, reference, answer).known()
         except TooMuchWork:
             return UNDECIDED
 
@@ -71,15 +72,25 @@ class Regions:
         self.trees = [tree for side in trees for tree in side]
         self.unsure, self.seen = False, 0  # points through which lines along all symbols were tested
 
+    def known(self) -> Found:
+        """Compare, and give equality up where a branch may have been missed."""
+        found = self.compared()
+        return found if found.finding is not Finding.EQUAL or self.found.proved else UNDECIDED
+
+    @cached_property
+    def found(self) -> Branches:
+        """Give points on both sides of everything that turns in one of the two."""
+        return branch_starts(self.scene, (self.both.sides[0], self.both.sides[1]), self.effort, MOST_BRANCHES)
+
     def compared(self) -> Found:
         """Test points inside, on the borders and between them."""
-        branches = branch_starts(self.scene, (self.both.sides[0], self.both.sides[1]), self.effort, MOST_BRANCHES)
+        branches = self.found.points
         starts = [*branches, *extreme(self.scene)]
         for point in exactly(starts):
             found = self._tested(point)
             if found is not None and self._tested(self._nudged(point)) is not None:
                 return found
-        lines = [*islice(extreme(self.scene), LINES), *branches[:BRANCHES]]
+        lines = [*islice(extreme(self.scene), LINES), *branches]
         try:
             return self._across(lines)
         except TooMuchWork:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import islice
+from itertools import islice, product
 
 from flint import arb, arb_mat
 
@@ -16,7 +16,7 @@ from graders.equality import Finding
 from graders.language.balls import precision
 from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside
-from graders.solutions.branches import branch_starts
+from graders.solutions.branches import Branches, branch_starts
 from graders.solutions.equations import EQUAL, UNDECIDED, Found
 from graders.solutions.newton import projected
 from graders.solutions.reduction import reduced, residual
@@ -47,7 +47,7 @@ def compare_systems(
     with precision(BITS):
         try:
             pair = Systems(scene, sides, [scene.names.index(name) for name in unknowns])
-            return pair.by_dependence() or pair.by_zeros()
+            return pair.known(pair.by_dependence() or pair.by_zeros())
         except TooMuchWork:
             return UNDECIDED
 
@@ -60,6 +60,14 @@ class Systems:
         self.both = Residuals(scene, trees, Effort(SYSTEM_WORK))
         self.sides = (Side(self.both, 0), Side(self.both, 1))
 
+    def known(self, found: Found) -> Found:
+        """Give equality up where a branch may have been missed."""
+        return found if found.finding is not Finding.EQUAL or self._found.proved else UNDECIDED
+
+    @cached_property
+    def _found(self) -> Branches:
+        return branch_starts(self.scene, (self.trees[0], self.trees[1]), self.both.effort, BRANCHES)
+
     def by_dependence(self) -> Found | None:
         """Tell whether the answer is a combination of the reference with factors free of the unknowns."""
         count, tested = len(self.trees[0]), 0
@@ -67,18 +75,23 @@ class Systems:
             return None
         points = list(exactly(self.scene.points))
         for start in range(0, len(points) - count - 2):
-            rows = [self._values(points[start], points[start + k + 1]) for k in range(count + 2)]
-            kept = [row for row in rows if row is not None]
-            if len(kept) < len(rows):
-                if tested or start > 4:
-                    return None
-                continue
-            if not self._dependent(kept, count):
+            depends = self._depends(points[start], points[start + 1 :])
+            if depends is False or (depends is None and (tested or start > 4)):
                 return None
-            tested += 1
+            tested += depends is True
             if tested == DRAWS:
-                return EQUAL
-        return None
+                break
+        if tested < DRAWS:
+            return None
+        beside = (self._depends(point, points) for point in exactly(self._found.points))
+        return EQUAL if all(beside) else None
+
+    def _depends(self, base: Sequence[arb], others: Sequence[Sequence[arb]]) -> bool | None:
+        """Tell whether the two are combinations of one another at some parameters; None where a value is missing."""
+        count = len(self.trees[0])
+        rows = [self._values(base, other) for other in others[: count + 2]]
+        kept = [row for row in rows if row is not None]
+        return self._dependent(kept, count) if len(kept) == len(rows) else None
 
     def _values(self, base: Sequence[arb], other: Sequence[arb]) -> list[arb] | None:
         """Evaluate both sides at a point with the unknowns of another."""
@@ -112,11 +125,15 @@ class Systems:
                     case Beside.UNSURE:
                         return UNDECIDED
         except TooMuchWork:
-            return EQUAL if min(shared) >= AT_LEAST else UNDECIDED
+            return EQUAL if min(shared) >= AT_LEAST and not self._found.points else UNDECIDED
         return EQUAL if min(shared) >= ENOUGH else UNDECIDED
 
     def _in_turn(self) -> Iterator[tuple[int, Zero]]:
-        """Give enough zeros of both sides, one after the other."""
+        """Give zeros in every branch, then enough zeros of both sides, one after the other."""
+        for start, which in product(self._found.points, (0, 1)):
+            zero = projected(self.sides[which], start, self.unknowns)
+            if zero is not None:
+                yield which, zero
         sources = [self._zeros(0), self._zeros(1)]
         for _ in range(ENOUGH):
             for which, source in enumerate(sources):
@@ -149,5 +166,4 @@ class Systems:
     @cached_property
     def starts(self) -> list[list[float]]:
         """Give points all over the box and beside everything that turns."""
-        branches = branch_starts(self.scene, (self.trees[0], self.trees[1]), self.both.effort, BRANCHES)
-        return [*(start for start in branches for _ in range(3)), *islice(extreme(self.scene), STARTS)]
+        return [*(start for start in self._found.points for _ in range(3)), *islice(extreme(self.scene), STARTS)]
