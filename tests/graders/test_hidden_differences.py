@@ -22,8 +22,8 @@ def found(a: str, b: str) -> set[Comparison]:
 
 
 def verdict(kind: str, a: Any, b: Any) -> str:
-    unknown = {"equation": {"solve_for": "x"}, "system": {"solve_for": ["x", "z"]}}.get(kind, {})
-    return str(comparison.answer({"kind": kind, "a": a, "b": b, "vars": VARS, **unknown})["verdict"])
+    unknown: dict[str, Any] = {"equation": {"solve_for": "x"}, "system": {"solve_for": ["x", "z"]}}.get(kind, {})
+    return str(comparison.answer({"kind": kind, "a": a, "b": b, "vars": VARS} | unknown)["verdict"])
 
 
 @pytest.mark.parametrize(
