@@ -14,6 +14,7 @@ from tests.graders.polygon.mechanisms import SLIDER
 
 BOX = {"r": Domain(1, 2), "x": Domain(0, 1), "y": Domain(0, 1), "z": Domain(-1, 1)}
 VARS = {"r": ["1", "2"], "x": ["0", "1"], "y": ["0", "1"], "z": ["-1", "1"]}
+UNKNOWN: dict[str, Any] = {"equation": "x", "system": ["x", "z"]}
 NOISE = "sign(sin(y)^2 + cos(y)^2 - 1)"  # of zero, which is zero
 
 
@@ -22,8 +23,10 @@ def found(a: str, b: str) -> set[Comparison]:
 
 
 def verdict(kind: str, a: Any, b: Any) -> str:
-    unknown: dict[str, Any] = {"equation": {"solve_for": "x"}, "system": {"solve_for": ["x", "z"]}}.get(kind, {})
-    return str(comparison.answer({"kind": kind, "a": a, "b": b, "vars": VARS} | unknown)["verdict"])
+    request: dict[str, Any] = {"kind": kind, "a": a, "b": b, "vars": VARS}
+    if kind in UNKNOWN:
+        request["solve_for"] = UNKNOWN[kind]
+    return str(comparison.answer(request)["verdict"])
 
 
 @pytest.mark.parametrize(
