@@ -8,7 +8,6 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, through
 from graders.language.symbols import key, latin
 from graders.language.tokens import MAX_LENGTH
 
@@ -43,7 +42,7 @@ def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Pi
     """Cut `(1; 2); (3; 4)`, `(1,5, 2), (3, 4)`, `q1 = 1, q2 = 2; …` or a list by lines into items of `width` numbers.
 
     Args:
-        text: What is typed; LaTeX of a formula editor is read as well.
+        text: What is typed.
         width: How many numbers an item has.
         names: Names of the numbers, by which they may be typed in any order.
 
@@ -53,10 +52,6 @@ def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Pi
     Raises:
         AnswerSyntaxError: Nothing typed, an item of another number of components, a name that is none of them.
     """
-    return through(text, lambda plain: _items(plain, width, names)) if is_latex(text) else _items(text, width, names)
-
-
-def _items(text: str, width: int, names: Sequence[str]) -> list[list[Piece]]:
     if len(text) > MAX_LENGTH:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
     whole = Piece(AND.sub(lambda word: ";".ljust(len(word[0])), text), 0).bare

@@ -11,6 +11,7 @@ from graders.chain.frames import Convention
 from graders.chain.motion import Agreement, Motion, agreement
 from graders.chain.slips import flaw, judged
 from graders.chain.table import FINE, Table, rounded
+from graders.formulas import place_of
 from graders.judge import Echo, Samples
 from graders.kinds.matrix import read_grid
 from graders.language.doubles import UndefinedError
@@ -66,6 +67,9 @@ class DHTable:
         for entry in children(tree):
             if any(isinstance(node, Grid | Index | Relation) for node in walk(entry)):
                 raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text_of(entry)[:20])
+        forbidden = sorted(names(tree) - symbols.names)
+        if forbidden:
+            raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, place_of(forbidden[0], text), forbidden[0])
         return Table(tree)
 
     def check(self, answer: Table, reference: Motion) -> Verdict:

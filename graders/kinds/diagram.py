@@ -12,6 +12,7 @@ from graders.language.symbols import Symbols
 from graders.profile.drawn import Axes, Part, is_table, read_parts, read_table
 from graders.profile.echoes import echoed
 from graders.profile.marks import Comparison, compare, idle_share
+from graders.profile.polynomial import NotPolynomialError
 from graders.profile.stretches import Profile, Rows, Stretch, highest, inner_places, profile_of, rows_of
 from graders.remarks import Remarks
 from graders.units import read_unit
@@ -72,7 +73,10 @@ class Diagram:
     def check(self, answer: Drawn, reference: Rows) -> Verdict:
         """Judge each mark for itself; the credit is counted from that of a diagram left at zero."""
         true = profile_of(reference)
-        drawn = answer.over(true[0].start, true[-1].end)
+        try:
+            drawn = answer.over(true[0].start, true[-1].end)
+        except NotPolynomialError:
+            return wrong(Code.UNDEFINED)
         seen = compare(drawn, true, self.rtol)
         if seen.right:
             return RIGHT
@@ -127,7 +131,10 @@ class Diagram:
         """Give the typed curve where it names its own span."""
         if not answer.table and any(part.start is None for part in answer.parts):
             return None
-        return rows_of(answer.over(0.0, 1.0))
+        try:
+            return rows_of(answer.over(0.0, 1.0))
+        except NotPolynomialError:
+            return None
 
     def apart(self, one: Rows, other: Rows) -> float:
         """Give the largest difference of two curves in tolerances; infinite where their spans differ."""

@@ -14,6 +14,7 @@ from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.kinds.quantity import Amount, Quantity
 from graders.language.errors import AnswerSyntaxError
+from graders.language.latex_reader import is_latex, through
 from graders.language.symbols import Symbols
 from graders.tuples import Piece, read_items
 from graders.units import read_unit
@@ -62,6 +63,11 @@ class Set:
 
     def parse(self, text: str, symbols: Symbols) -> tuple[Item, ...]:
         """Read the items; `none`, `brak`, `нет` or `∅` is the empty set. Raises AnswerSyntaxError."""
+        if is_latex(text):
+            return through(text, lambda plain: self._read(plain, symbols))
+        return self._read(text, symbols)
+
+    def _read(self, text: str, symbols: Symbols) -> tuple[Item, ...]:
         items = read_items(text, len(self.parts), self.names)
         return tuple(
             tuple(_amount(part, piece, symbols) for part, piece in zip(self.parts, item, strict=True)) for item in items

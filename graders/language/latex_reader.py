@@ -15,7 +15,8 @@ from graders.language.commands import ACCENTS, ENVIRONMENTS, FENCES, LETTERS, SI
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_sheet import Rewritten, Sheet
 
-MAX_LATEX = 6000
+MAX_LATEX = 4000
+MAX_WRITTEN = 2000  # characters of the answer language: no more is read
 MAX_DEPTH = 60
 COMMAND = re.compile(r"\\(?:[A-Za-z]+\*?|.)", re.DOTALL)
 WORD = re.compile(r"[^\W\d_][^\W_]*")
@@ -104,6 +105,8 @@ class _Reader:
         while self.at < len(self.latex) and self.next() != "}":
             if ends and (self.ahead() or self.next()) in ends:
                 break
+            if len(self.sheet.out) > MAX_WRITTEN:
+                raise AnswerSyntaxError(Reason.TOO_LONG, self.at)
             self.item()
         self.depth -= 1
 

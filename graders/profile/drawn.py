@@ -51,6 +51,9 @@ class Part:
         Args:
             first: Where the span starts, for a piece without a range.
             last: Where it ends.
+
+        Raises:
+            NotPolynomialError: A bracket that is closed leaves no value: 1/<x - 2>.
         """
         low = first if self.start is None else self.start
         high = last if self.end is None else self.end
@@ -59,7 +62,7 @@ class Part:
         runner = Runner(self.program, arithmetic(lambda inside: value(inside, middle) > 0))
         for start, end in pairwise([low, *inner, high]):
             middle = (start + end) / 2 / self.x_factor
-            curve = tuple(self.factor * c / self.x_factor**power for power, c in enumerate(_run(runner)))
+            curve = tuple(self.factor * c / self.x_factor**power for power, c in enumerate(_valued(runner)))
             yield Stretch(0.0, last, curve).part(start, end)
 
     def borders(self) -> list[float]:
@@ -79,6 +82,13 @@ class Part:
 
         _run(Runner(self.program, arithmetic(note)))
         return found
+
+
+def _valued(runner: Runner) -> Polynomial:
+    try:
+        return _run(runner)
+    except (ValueError, ArithmeticError) as error:
+        raise NotPolynomialError("no value") from error
 
 
 def _run(runner: Runner) -> Polynomial:

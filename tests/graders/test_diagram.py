@@ -133,6 +133,12 @@ def test_a_diagram_of_the_opposite_convention_is_recognised() -> None:
     assert judged("-(7,5*x - x^2 - 6<x-1,5> + <x-3>^0)", strict).score == 0
 
 
+@pytest.mark.parametrize("text", ["1/<-pi>^1", "x + 1/<-2>^1", "ctg(<-3>^1)", "0 .. 4: ln(<-1>^2)"])
+def test_a_formula_without_a_value_where_its_bracket_is_closed_is_wrong_and_not_carried(text: str) -> None:
+    assert judged(text).code is Code.UNDEFINED
+    assert MOMENT.carried(MOMENT.parse(text, NOTHING)) is None
+
+
 def test_newtons_for_kilonewtons_are_recognised() -> None:
     assert judged("7500*x - 1000*x^2 - 6000<x-1.5> + 1000<x-3>^0").code is Code.FACTOR_OF_TEN
 

@@ -113,6 +113,8 @@ def test_a_number_given_where_there_is_no_solution_is_wrong() -> None:
         ("(30; -45.5; 400); (1; 2)", Reason.NEEDS_COMPONENTS, 18),
         ("(34,4, 51,6)", Reason.NEEDS_COMPONENTS, 0),
         ("1; 2; 3; 4", Reason.NEEDS_COMPONENTS, 0),
+        ("(30; -45; \\sqrt2 x)", Reason.UNKNOWN_UNIT, 17),
+        ("(30; -45; \\sqrt37)", Reason.NEEDS_OPERATOR, 16),
         ("q1 = 3, theta2 = 4, x = 5", Reason.UNKNOWN_NAME, 20),
         ("q1 = 3, theta2 = 4, q1 = 5", Reason.REPEATED_ITEM, 20),
         ("q1 = 3, theta2 = 4, 5", Reason.NEEDS_COMPONENTS, 20),

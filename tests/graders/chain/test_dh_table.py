@@ -186,6 +186,7 @@ def test_a_table_of_another_size_or_without_values_is_wrong(typed: str, code: Co
     [
         ("", Reason.EMPTY, 0),
         ("q1 + 2", Reason.WRONG_SHAPE, 0),
+        ("[[q1; L1; 0; P]; [q2; 0; 0; 0]; [0; q3; 0; 0]]", Reason.FORBIDDEN_NAME, 13),
         ("[[q1; L1; 0; zz]; [q2; 0; 0; 0]; [0; q3; 0; 0]]", Reason.UNKNOWN_NAME, 13),
         ("[[q1; L1; 0]; [q2; 0; 0; 0]]", Reason.RAGGED_MATRIX, 0),
         ("[[q1; L1; 0; [1; 2]]; [q2; 0; 0; 0]]", Reason.NOT_AN_EXPRESSION, 0),
