@@ -10,6 +10,7 @@ one to its left, at x = 0 the one inside the beam.
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -80,8 +81,7 @@ class Piece(NamedTuple):
         return self.v + t * (self.theta + t * bent / self.EI)
 
 
-@dataclass(frozen=True, slots=True)
-class BeamResult:
+class BeamResult(NamedTuple):
     """The solved beam; stresses are None where no section is given."""
 
     reactions: tuple[Reaction, ...]  # by rising x
@@ -129,37 +129,40 @@ def solve(beam: Beam) -> BeamResult:
     stations = _stations(beam)
     stretches = _stretches(beam, stations)
     starts = sweep(stations, stretches)
-    ends = [carry(start, h, w, k) for start, (h, w, k) in zip(starts, stretches, strict=True)]
-    pieces = _pieces(beam, stations, stretches, starts)
-    return _result(beam, _reactions(beam, stations, starts, ends), pieces, ends)
+    pieces, ends = _pieces(beam, stations, stretches, starts)
+    return _result(beam, _reactions(beam.L, stations, starts, ends), pieces, ends)
 
 
 def _stations(beam: Beam) -> list[Station]:
     """Where something jumps, by rising place; lengths in parts of L, everything else in newtons."""
-    found: dict[float, Station] = {}
-
-    def at(x: float) -> Station:
-        if x not in found:
-            found[x] = Station(x)
-        return found[x]
-
-    at(0.0), at(beam.L)
+    L = beam.L
+    found = {0.0: Station(0.0), L: Station(L)}
     for load in beam.loads:
-        if isinstance(load, Force):
-            at(load.x).force += load.F
-        elif isinstance(load, Moment):
-            at(load.x).couple += load.M / beam.L
+        if isinstance(load, Distributed):
+            _at(found, load.x1), _at(found, load.x2)
+        elif isinstance(load, Force):
+            _at(found, load.x).force += load.F
         else:
-            at(load.x1), at(load.x2)
-    stiffness = beam.E * beam.second_moment / beam.L / beam.L / beam.L
+            _at(found, load.x).couple += load.M / L
+    stiffness = beam.E * beam.second_moment / L / L / L
     for support in beam.supports:
-        at(support.x).hold(support.type == "fixed", support.settlement * stiffness)
+        station = _at(found, support.x)
+        station.held, station.fixed = True, support.type == "fixed"
+        station.settlement = support.settlement * stiffness
     for x in beam.hinges:
-        at(x).hinge = True
+        _at(found, x).hinge = True
     return [found[x] for x in sorted(found)]
 
 
+def _at(stations: dict[float, Station], x: float) -> Station:
+    station = stations.get(x)
+    if station is None:
+        station = stations[x] = Station(x)
+    return station
+
+
 def _stretches(beam: Beam, stations: list[Station]) -> list[Stretch]:
+    L = beam.L
     spread = [load for load in beam.loads if isinstance(load, Distributed)]
     found: list[Stretch] = []
     for left, right in pairwise(stations):
@@ -169,54 +172,51 @@ def _stretches(beam: Beam, stations: list[Station]) -> list[Stretch]:
                 growth = (load.w2 - load.w1) / (load.x2 - load.x1)
                 w += load.w1 + growth * (left.x - load.x1)
                 k += growth
-        found.append(((right.x - left.x) / beam.L, w * beam.L, k * beam.L * beam.L))
+        found.append(((right.x - left.x) / L, w * L, k * L * L))
     return found
 
 
-def _pieces(beam: Beam, stations: list[Station], stretches: list[Stretch], states: list[State]) -> tuple[Piece, ...]:
+def _pieces(
+    beam: Beam, stations: list[Station], stretches: list[Stretch], starts: list[State]
+) -> tuple[list[Piece], list[State]]:
+    """The pieces, and the states at their right ends."""
     L, EI = beam.L, beam.E * beam.second_moment
     turn = L * L / EI
-    return tuple(
-        Piece(left.x, right.x, V, M * L, theta * turn, v * turn * L, w / L, k / L / L, EI)
-        for (left, right), (_, w, k), (v, theta, M, V) in zip(pairwise(stations), stretches, states, strict=True)
-    )
+    pieces, ends = [], []
+    x1 = 0.0
+    for station, start, (h, w, k) in zip(stations[1:], starts, stretches, strict=True):
+        v, theta, M, V = start
+        pieces.append(Piece(x1, station.x, V, M * L, theta * turn, v * turn * L, w / L, k / L / L, EI))
+        ends.append(carry(start, h, w, k))
+        x1 = station.x
+    return pieces, ends
 
 
-def _reactions(beam: Beam, stations: list[Station], starts: list[State], ends: list[State]) -> tuple[Reaction, ...]:
+def _reactions(L: float, stations: list[Station], starts: list[State], ends: list[State]) -> tuple[Reaction, ...]:
     """What is missing to the jumps of V and M at a support."""
     outside: State = (0.0, 0.0, 0.0, 0.0)
     found = []
     for station, before, after in zip(stations, [outside, *ends], [*starts, outside], strict=True):
         if station.held:
             moment = before[2] - after[2] - station.couple if station.fixed else 0.0
-            found.append(Reaction(station.x, after[3] - before[3] - station.force, moment * beam.L))
+            found.append(Reaction(station.x, after[3] - before[3] - station.force, moment * L))
     return tuple(found)
 
 
-def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: tuple[Piece, ...], ends: list[State]) -> BeamResult:
+def _result(beam: Beam, reactions: tuple[Reaction, ...], pieces: list[Piece], ends: list[State]) -> BeamResult:
     shears, moments, sags = _candidates(pieces, ends, beam.L)
-    x_M, M_far = _farthest(moments)
-    x_v, v_far = _farthest(sags)
+    M_max, M_min, M_far, x_M = _extremes(*moments)
+    _, _, v_far, x_v = _extremes(*sags)
     V_far = max(max(shears), -min(shears))
-    finite("the sum of the answers", M_far + V_far + v_far + sum([r.Fy for r in reactions]), "")
-    W, sigma, tau = _stresses(beam, abs(M_far), V_far)
-    values = [M for _, M in moments]
-    return BeamResult(
-        reactions=reactions,
-        pieces=pieces,
-        degree=degree(beam),
-        M_max=max(values),
-        M_min=min(values),
-        M_abs_max=abs(M_far),
-        x_M_abs_max=x_M,
-        V_abs_max=V_far,
-        v_extreme=v_far,
-        x_v_extreme=x_v,
-        I=beam.second_moment,
-        W=W,
-        sigma_max=sigma,
-        tau_max=tau,
-    )
+    total = M_far + V_far + v_far
+    for reaction in reactions:
+        total += reaction.Fy
+    finite("the sum of the answers", total, "")
+    M_far = abs(M_far)
+    W, sigma, tau = _stresses(beam, M_far, V_far)
+    I, free = beam.second_moment, degree(beam)
+    found = M_max, M_min, M_far, x_M, V_far, v_far, x_v, I, W, sigma, tau  # in the order of the fields
+    return BeamResult(reactions, tuple(pieces), free, *found)
 
 
 def _stresses(beam: Beam, M: float, V: float) -> tuple[float | None, float | None, float | None]:
@@ -228,44 +228,57 @@ def _stresses(beam: Beam, M: float, V: float) -> tuple[float | None, float | Non
     return W, M / W, V * section.first_moment / (beam.second_moment * section.neutral_width)
 
 
-_Candidates = list[tuple[float, float]]  # place, m, and value
+_NOWHERE: Sequence[float] = ()
+_Candidates = tuple[list[float], list[float]]  # rising places, m, and the values there
 
 
-def _candidates(pieces: tuple[Piece, ...], ends: list[State], L: float) -> tuple[list[float], _Candidates, _Candidates]:
-    """Give V, M and v, the last two with their places, wherever they may be extreme, by rising place.
+def _candidates(pieces: list[Piece], ends: list[State], L: float) -> tuple[list[float], _Candidates, _Candidates]:
+    """Give V, M and v, the last two with their places, wherever they may be extreme.
 
     That is at the ends of the pieces, and where a derivative changes its sign inside one. V is monotone between the
     sign changes of w, M between those of V, theta between those of M; so without an inner one of these the signs at
     the two ends tell whether there is a crossing to look for.
     """
     shears: list[float] = []
-    moments: _Candidates = []
-    sags: _Candidates = []
+    moments: _Candidates = [], []
+    sags: _Candidates = [], []
+    (x_M, all_M), (x_v, all_v) = moments, sags
     for piece, (_, end_theta, end_M, end_V) in zip(pieces, ends, strict=True):
         x1, x2, V, M, theta, v, w, k, EI = piece
         h = x2 - x1
-        peaks = crossings((w, k, 0.0, 0.0, 0.0), h) if k else ()
-        zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks) if peaks or (V < 0) != (end_V < 0) else ()
-        inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros) if zeros or (M < 0) != (end_M < 0) else ()
-        shears += (V, end_V)
-        moments.append((x1, M))
-        sags.append((x1, v))
-        if peaks:
-            shears += [piece.shear(t) for t in peaks]
-        if zeros:
-            moments += [(x1 + t, piece.moment(t)) for t in zeros]
+        peaks = zeros = inflections = _NOWHERE
+        shears += V, end_V
+        x_M.append(x1)
+        all_M.append(M)
+        x_v.append(x1)
+        all_v.append(v)
+        if k:
+            peaks = crossings((w, k, 0.0, 0.0, 0.0), h)
+            for t in peaks:
+                shears.append(piece.shear(t))
+        if peaks or (V < 0) != (end_V < 0):
+            zeros = crossings((V, w, k / 2, 0.0, 0.0), h, peaks)
+            for t in zeros:
+                x_M.append(x1 + t)
+                all_M.append(piece.moment(t))
+        if zeros or (M < 0) != (end_M < 0):
+            inflections = crossings((M, V, w / 2, k / 6, 0.0), h, zeros)
         if inflections or (theta < 0) != (end_theta < 0):
-            turns = crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections)
-            sags += [(x1 + t, piece.deflection(t)) for t in turns]
-        moments.append((x2, end_M * L))
-    sags.append((x2, piece.deflection(h)))
+            for t in crossings((EI * theta, M, V / 2, w / 6, k / 24), h, inflections):
+                x_v.append(x1 + t)
+                all_v.append(piece.deflection(t))
+        x_M.append(x2)
+        all_M.append(end_M * L)
+    x_v.append(x2)
+    all_v.append(piece.deflection(h))
     return shears, moments, sags
 
 
-def _farthest(candidates: _Candidates) -> tuple[float, float]:
-    """The place of the largest magnitude and the signed value there; the leftmost on a tie."""
-    bar = max([abs(value) for _, value in candidates]) * (1 - _TIE)
-    for x, value in candidates:
-        if value >= bar or value <= -bar:
-            return x, value
-    return candidates[0]
+def _extremes(places: list[float], values: list[float]) -> tuple[float, float, float, float]:
+    """The largest value, the smallest, the one of the largest magnitude and its place, the leftmost on a tie."""
+    high, low = max(values), min(values)
+    bar = max(high, -low) * (1 - _TIE)
+    number = 0
+    while -bar < values[number] < bar:
+        number += 1
+    return high, low, values[number], places[number]

@@ -24,9 +24,9 @@ def crossings(polynomial: Quartic, end: float, inner: Sequence[float] = ()) -> S
         The rising places of the sign changes; an inner place where the polynomial is exactly zero is among them.
     """
     c0, c1, c2, c3, c4 = polynomial
-    last = c0 + end * (c1 + end * (c2 + end * (c3 + end * c4)))
-    if not inner and (c0 < 0) == (last < 0):
-        return ()
+    if not (c2 or c3 or c4):
+        t = -c0 / c1 if c1 else 0.0
+        return (t,) if 0 < t < end else ()
     found: list[float] = []
     left, at_left = 0.0, c0
     for right in (*inner, end):
@@ -45,6 +45,7 @@ def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_
     A root that rounding alone has moved inside from an end is that end.
     """
     c0, c1, c2, c3, c4 = polynomial
+    d2, d3, d4 = 2 * c2, 3 * c3, 4 * c4  # of the derivative
     rising = at_left < at_right
     t = left + (right - left) * (at_left / (at_left - at_right))
     size = max(abs(left), abs(right))
@@ -59,7 +60,7 @@ def _between(polynomial: Quartic, left: float, right: float, at_left: float, at_
             left = t
         else:
             right = t
-        incline = c1 + t * (2 * c2 + t * (3 * c3 + t * 4 * c4))
+        incline = c1 + t * (d2 + t * (d3 + t * d4))
         last, t = t, t - residue / incline if incline else left
         if step % 8 == 0 or not left - narrow <= t <= right + narrow:
             t = (left + right) / 2

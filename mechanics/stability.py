@@ -8,8 +8,8 @@ from mechanics.members import CLOSE, Beam
 
 def degree(beam: Beam) -> int:
     """Return the degree of static indeterminacy: reactions less equilibrium equations and hinges."""
-    reactions = sum(2 if support.type == "fixed" else 1 for support in beam.supports)
-    return reactions - 2 - len(beam.hinges)
+    moments = [support.type for support in beam.supports].count("fixed")
+    return len(beam.supports) + moments - 2 - len(beam.hinges)
 
 
 def require_stable(beam: Beam) -> None:
@@ -25,7 +25,8 @@ def require_stable(beam: Beam) -> None:
     """
     freedom, pole, near = 2, 0.0, CLOSE * beam.L
     stations: list[tuple[float, int, str]] = [(support.x, 0, support.type) for support in beam.supports]
-    stations += [(x, 1, "hinge") for x in beam.hinges]
+    if beam.hinges:
+        stations += [(x, 1, "hinge") for x in beam.hinges]
     for x, _, kind in sorted(stations):
         if kind == "hinge":
             _require_held_left(x, freedom, pole if abs(pole - x) >= near else x)

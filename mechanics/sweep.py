@@ -11,7 +11,7 @@ grow along many spans.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from mechanics.errors import SingularError
 
@@ -40,10 +40,6 @@ class Station:
     fixed: bool = False  # the slope is zero
     settlement: float = 0.0  # given v, in the scale of the state, N
     hinge: bool = False  # M is zero
-
-    def hold(self, fixed: bool, settlement: float) -> None:
-        """Put a support here."""
-        self.held, self.fixed, self.settlement = True, fixed, settlement
 
 
 def carry(state: State, h: float, w: float, k: float) -> State:
@@ -77,10 +73,10 @@ def sweep(stations: list[Station], stretches: list[Stretch]) -> list[State]:
 def _begun(station: Station) -> _Line:
     """At the left end the parameters are what it leaves free."""
     if station.fixed:
-        return _Line((station.settlement, 0.0, 0.0, 0.0), _UNITS[MOMENT], _UNITS[SHEAR])
+        return _Line((station.settlement, 0.0, 0.0, 0.0), _UNITS[MOMENT], _UNITS[SHEAR], [], [])
     if station.held:
-        return _Line((station.settlement, 0.0, -station.couple, 0.0), _UNITS[SLOPE], _UNITS[SHEAR])
-    return _Line((0.0, 0.0, -station.couple, station.force), _UNITS[DEFLECTION], _UNITS[SLOPE])
+        return _Line((station.settlement, 0.0, -station.couple, 0.0), _UNITS[SLOPE], _UNITS[SHEAR], [], [])
+    return _Line((0.0, 0.0, -station.couple, station.force), _UNITS[DEFLECTION], _UNITS[SLOPE], [], [])
 
 
 def _conditions(station: Station) -> tuple[_Condition, _Condition]:
@@ -111,8 +107,8 @@ class _Line:
     base: State
     first: State
     second: State
-    settled: list[_Settled] = field(default_factory=list)
-    starts: list[tuple[int, State, State, State]] = field(default_factory=list)
+    settled: list[_Settled]
+    starts: list[tuple[int, State, State, State]]
 
     def advance(self, h: float, w: float, k: float) -> None:
         self.starts.append((len(self.settled), self.base, self.first, self.second))
@@ -159,7 +155,17 @@ class _Line:
                 kept = ((first if swapped else second) - shift) / scale
                 gone = constant + factor * kept
                 first, second = (kept, gone) if swapped else (gone, kept)
-            found.append(_at(base, one, two, first, second))
+            a, b, c, d = base
+            e, f, g, h = one
+            i, j, k, l = two
+            found.append(
+                (
+                    a + first * e + second * i,
+                    b + first * f + second * j,
+                    c + first * g + second * k,
+                    d + first * h + second * l,
+                )
+            )
         found.reverse()
         return found
 
@@ -174,12 +180,3 @@ def _added(state: Sequence[float], factor: float, other: State) -> list[float]:
     a, b, c, d = state
     e, f, g, h = other
     return [a + factor * e, b + factor * f, c + factor * g, d + factor * h]
-
-
-def _at(base: State, first: State, second: State, p: float, q: float) -> State:
-    return (
-        base[0] + p * first[0] + q * second[0],
-        base[1] + p * first[1] + q * second[1],
-        base[2] + p * first[2] + q * second[2],
-        base[3] + p * first[3] + q * second[3],
-    )
