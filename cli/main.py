@@ -24,6 +24,7 @@ COMMANDS = {
     "sheet": "print tasks for a class, with the key apart",
     "verify": "check that exercises may be published",
     "new": "start a new exercise from a template",
+    "worker": "do the jobs of servers that share a PostgreSQL store",
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
     "user": "let somebody in by a one-time link",

@@ -41,6 +41,11 @@ from server import (
 from server.bench import Bench
 from server.database import Database, secret_of
 from server.envelope import Envelope
+from server.jobs import api as jobs
+from server.jobs import pages as job_pages
+from server.jobs.engine import Engine
+from server.jobs.kinds import KINDS
+from server.jobs.working import Bureau
 from server.judging import Judging, JudgingThread
 from server.limits import Limiter
 from server.passwords import Passwords
@@ -52,6 +57,7 @@ from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
+SERVER = "server"  # the worker of an embedded store: there is one
 COLLECT = 20.0  # s between two looks for examinations that are over
 PURGE = 24 * 3600.0  # s between two purges
 ROUTERS = (
@@ -79,6 +85,8 @@ ROUTERS = (
     course_pages.router,
     task_sets.router,
     set_pages.router,
+    jobs.router,
+    job_pages.router,
 )
 log = logging.getLogger("grubler")
 
@@ -132,17 +140,20 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     judging = app.state.judging or JudgingThread()
     passwords = app.state.passwords or Passwords()
     secret = settings.secret or secret_of(settings.store_url)
+    bureau = Bureau(database.jobs, judging, secret, KINDS)
+    engine = Engine(bureau, SERVER, settings.workers or 1)
     app.state.bench = Bench(
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
-        passwords, database.sets, database.audit,
+        passwords, database.sets, database.audit, database.jobs, engine,
     )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))
     collecting = asyncio.create_task(_collect(app.state.bench))
+    working = asyncio.create_task(_work(settings, bureau, engine))
     try:
         yield
     finally:
-        for task in (purging, collecting):
+        for task in (purging, collecting, working):
             task.cancel()
             with suppress(asyncio.CancelledError):
                 await task
@@ -155,6 +166,16 @@ async def _purge_daily(storage: Storage) -> None:
     while True:
         await asyncio.sleep(PURGE)
         await _purge(storage)
+
+
+async def _work(settings: Settings, bureau: Bureau, engine: Engine) -> None:
+    """Do the batches of jobs: those of an embedded store all, with PostgreSQL a share of them, or none."""
+    if settings.embedded:
+        await engine.run()
+    elif settings.workers:
+        from server.jobs import queue  # Procrastinate is imported where it is needed
+
+        await queue.run_on(settings.store_url, bureau, settings.workers)
 
 
 async def _collect(bench: Bench) -> None:

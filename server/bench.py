@@ -7,6 +7,7 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
+from server.jobs.engine import Engine
 from server.judging import Judging
 from server.limits import Limiter
 from server.passwords import Passwords
@@ -15,6 +16,7 @@ from server.static_files import Assets
 from server.storage import Storage
 from server.storage.audit import Audit
 from server.storage.courses import Courses
+from server.storage.jobs import Jobs
 from server.storage.people import People
 from server.storage.sets import Sets
 
@@ -34,6 +36,8 @@ class Bench:
     passwords: Passwords
     sets: Sets
     audit: Audit
+    jobs: Jobs
+    engine: Engine
 
 
 async def bench(request: Request) -> Bench:

@@ -7,6 +7,7 @@ import logging
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context
 from typing import Any, ParamSpec, Protocol, TypeVar
 
@@ -15,6 +16,8 @@ from exercises.exercise import Grade, Submission
 
 P = ParamSpec("P")
 T = TypeVar("T")
+IDLE = 30.0  # s after which processes end that nobody needs
+NICE = 10  # students who wait for a verdict go first
 log = logging.getLogger("grubler")
 
 
@@ -39,10 +42,11 @@ class Judging(Protocol):
 
 
 class JudgingThread:
-    """The judging of one server, in the order of arrival."""
+    """The judging of one server, in the order of arrival; `processes` compute apart."""
 
-    def __init__(self) -> None:
+    def __init__(self, processes: int | None = None) -> None:
         self._thread = ThreadPoolExecutor(1, "judge")
+        self._apart = Processes(processes or os.cpu_count() or 1)
 
     async def run(self, compute: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Compute something of the exercise room."""
@@ -53,17 +57,60 @@ class JudgingThread:
         return await self.run(_grade, submission, secret, **rules)
 
     async def apart(self, compute: Callable[..., T], tasks: Sequence[tuple[Any, ...]]) -> list[T]:
-        """Compute long tasks in processes that end with them."""
+        """Compute long tasks in processes that stay for the next ones, and end when none come."""
         if not tasks:
             return []
-        workers = min(len(tasks), os.cpu_count() or 1)
-        loop = asyncio.get_running_loop()
-        with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        pool, loop = self._apart.entered(), asyncio.get_running_loop()
+        try:
             return await asyncio.gather(*(loop.run_in_executor(pool, compute, *task) for task in tasks))
+        except BrokenProcessPool:
+            self._apart.end()  # the next ones get new processes
+            raise
+        finally:
+            self._apart.left(loop)
 
     def close(self) -> None:
         """Finish what is under way."""
         self._thread.shutdown()
+        self._apart.end()
+
+
+class Processes:
+    """Processes that compute apart, below the server in the eyes of the system; they end after some idle time."""
+
+    def __init__(self, number: int) -> None:
+        self._number = number
+        self._pool: ProcessPoolExecutor | None = None
+        self._users = 0
+        self._ending: asyncio.TimerHandle | None = None
+
+    def entered(self) -> ProcessPoolExecutor:
+        """Give the processes; they stay until the last user has left for a while."""
+        self._users += 1
+        if self._ending is not None:
+            self._ending.cancel()
+            self._ending = None
+        if self._pool is None:
+            self._pool = ProcessPoolExecutor(self._number, get_context("spawn"), os.nice, (NICE,))
+        return self._pool
+
+    def left(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Note that a user has left."""
+        self._users -= 1
+        if self._users == 0 and self._pool is not None:
+            self._ending = loop.call_later(IDLE, self.end)
+
+    def end(self) -> None:
+        """End the processes, whatever they compute: a batch that is not done is somebody's again."""
+        if self._ending is not None:
+            self._ending.cancel()
+            self._ending = None
+        if self._pool is not None:
+            computing = list((self._pool._processes or {}).values())
+            self._pool.shutdown(wait=False, cancel_futures=True)
+            for process in computing:
+                process.terminate()
+            self._pool = None
 
 
 def _grade(submission: Submission, secret: bytes, **rules: Any) -> Grade:

@@ -50,6 +50,7 @@ class InCourse:
 Policy: TypeAlias = Role | InCourse
 COURSE_STUDENT, COURSE_ASSISTANT, COURSE_LECTURER = map(InCourse, CourseRole)
 
+JOB_ASSISTANT, JOB_LECTURER = InCourse(CourseRole.ASSISTANT, "job"), InCourse(CourseRole.LECTURER, "job")
 SET_STUDENT, SET_ASSISTANT, SET_LECTURER = (InCourse(role, "task_set") for role in CourseRole)
 
 POLICIES: dict[tuple[str, str], Policy] = {
@@ -159,6 +160,12 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("GET", "/api/v1/courses/{course}/audit"): COURSE_LECTURER,
     ("GET", "/audit"): Role.ADMINISTRATOR,
     ("GET", "/courses/{course}/audit"): COURSE_LECTURER,
+    ("GET", "/api/v1/jobs/{job}"): JOB_ASSISTANT,
+    ("GET", "/api/v1/jobs/{job}/events"): JOB_ASSISTANT,
+    ("GET", "/api/v1/jobs/{job}/documents/{number}"): JOB_LECTURER,
+    ("POST", "/api/v1/jobs/{job}/cancel"): JOB_LECTURER,
+    ("GET", "/jobs/{job}"): JOB_ASSISTANT,
+    ("POST", "/jobs/{job}/cancel"): JOB_LECTURER,
     ("GET", "/static"): Role.ANONYMOUS,
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from contextlib import suppress
 from socket import socket
 
@@ -10,7 +11,10 @@ import uvicorn
 from server import accounts, logs, tokens
 from server import migrate as migrations
 from server.app import create_app
-from server.database import secret_of
+from server.database import Database, secret_of
+from server.jobs.kinds import KINDS
+from server.jobs.working import Bureau
+from server.judging import JudgingThread
 from server.settings import Settings, SettingsError, check
 
 
@@ -53,6 +57,38 @@ class Announced(uvicorn.Server):
             print(f"Grübler listens at {self.address}", flush=True)
         if self.started and self.first:
             print(f"Nobody administers it yet. This link works once: {self.first}", flush=True)
+
+
+def work(settings: Settings, processes: int | None = None) -> None:
+    """Do the batches of jobs until the process is told to end; any number of hosts may do so beside the servers.
+
+    Args:
+        settings: The settings of the servers.
+        processes: Batches at a time; as many as there are processors by default.
+
+    Raises:
+        SettingsError: The store is an embedded one, or lacks migrations.
+    """
+    if settings.embedded:
+        raise SettingsError("workers need DATABASE_URL; the server of an embedded store does its jobs itself")
+    if not migrations.current(settings.store_url):
+        raise SettingsError("the database lacks migrations: run `grubler migrate` first")
+    logs.install(settings.log)
+    asyncio.run(_work(settings, processes or settings.workers or 1))
+
+
+async def _work(settings: Settings, most: int) -> None:
+    from server.jobs import queue  # Procrastinate is imported where it is needed
+
+    database, judging = Database(settings.store_url), JudgingThread(most)
+    secret = settings.secret or secret_of(settings.store_url)
+    try:
+        app = queue.application(settings.store_url, Bureau(database.jobs, judging, secret, KINDS), most)
+        print(f"Grübler works, {most} batches at a time", flush=True)
+        await queue.run(app, most, signals=True)
+    finally:
+        judging.close()
+        database.close()
 
 
 def migrate(settings: Settings) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from ipaddress import ip_address
@@ -10,6 +11,7 @@ from urllib.parse import urlsplit
 
 DEFAULT_PORT = 8000
 HIGHEST_PORT = 65535
+MOST_WORKERS = 256
 LOGS = ("text", "json")
 
 
@@ -47,6 +49,7 @@ class Settings:
         limited: Whether posts of one person and of one address are limited.
         log: "text" for warnings only, "json" for a line of every request.
         provider: Who else vouches for people.
+        workers: Batches of jobs that are done at a time; with PostgreSQL 0 leaves them all to `grubler worker`.
     """
 
     data_dir: Path = Path("data")
@@ -59,6 +62,7 @@ class Settings:
     limited: bool = True
     log: str = "text"
     provider: Provider | None = None
+    workers: int = os.cpu_count() or 1
 
     @property
     def store_url(self) -> str:
@@ -117,6 +121,7 @@ def from_environment(
         insecure_http=insecure_http,
         log=_log(environ.get("GRUBLER_LOG") or "text"),
         provider=_provider(environ),
+        workers=_workers(environ.get("GRUBLER_WORKERS") or str(os.cpu_count() or 1)),
     )
 
 
@@ -127,6 +132,12 @@ def _provider(environ: Mapping[str, str]) -> Provider | None:
     if not issuer or not client or urlsplit(issuer).scheme not in ("https", "http"):
         raise SettingsError("GRUBLER_OIDC_ISSUER must be an address, with GRUBLER_OIDC_CLIENT_ID beside it")
     return Provider(issuer, client, environ.get("GRUBLER_OIDC_CLIENT_SECRET") or None)
+
+
+def _workers(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and int(text[:3]) <= MOST_WORKERS and len(text) <= 3):
+        raise SettingsError(f"GRUBLER_WORKERS must be a whole number from 0 to {MOST_WORKERS}, not {text!r}")
+    return int(text)
 
 
 def _log(kind: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from server.database.audit import Audit
 from server.database.connections import Connections
 from server.database.courses import Courses
+from server.database.jobs import Jobs
 from server.database.people import People
 from server.database.practice import Practice
 from server.database.secret import secret_of
@@ -23,6 +24,7 @@ class Database:
         self.sets = Sets(self._connections)
         self.people = People(self._connections)
         self.courses = Courses(self._connections)
+        self.jobs = Jobs(self._connections)
 
     def close(self) -> None:
         """Finish what is under way and let go of the files."""

@@ -1,4 +1,4 @@
-"""What is written around submissions: drafts, marks by hand, reported problems; jobs; the audit log."""
+"""What is written around submissions: drafts, marks by hand, reported problems; the audit log."""
 
 from __future__ import annotations
 
@@ -35,24 +35,6 @@ problems = Table(
     Column("time", Moment, nullable=False),
     Column("settled", Moment),
     Index(None, "variant"),
-)  # fmt: skip
-
-jobs = Table(
-    "jobs", metadata,
-    Column("id", String(32), primary_key=True),
-    Column("kind", String(32), nullable=False),
-    Column("payload", JSON, nullable=False),
-    Column("state", String(16), nullable=False),  # waiting, running, done, failed, cancelled
-    Column("done", Integer, nullable=False),
-    Column("total", Integer, nullable=False),
-    Column("fence", Integer, nullable=False),  # grows with each taking: a late worker writes nothing
-    Column("lease", Moment),
-    Column("result", JSON),
-    Column("error", String(500)),
-    Column("person", ForeignKey("persons.id")),
-    Column("created", Moment, nullable=False),
-    Column("finished", Moment),
-    Index(None, "state", "created"),
 )  # fmt: skip
 
 audit = Table(

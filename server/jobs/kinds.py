@@ -1,0 +1,7 @@
+"""The kinds of jobs there are."""
+
+from __future__ import annotations
+
+from server.storage.jobs import Kind
+
+KINDS: dict[str, Kind] = {kind.name: kind for kind in list[Kind]()}

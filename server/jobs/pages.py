@@ -1,0 +1,35 @@
+"""The page of a job: how far it is, looked at again by itself while the job is under way."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Depends, Request
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+
+from server.bench import Tools
+from server.courses import here
+from server.jobs.api import cancelled, job_of
+from server.policy import CourseRole
+from server.reader import Asking, admit
+from server.templating import page
+
+AGAIN = "2"  # s until the page looks again
+
+router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+
+
+@router.get("/jobs/{job}")
+async def show_job(job: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show how far a job is, and where it has led."""
+    found = await job_of(bench, job)
+    context = {"job": found, "course": here(reader).course, "lecturer": here(reader).role is CourseRole.LECTURER}
+    shown = page(request, reader.language, "job.html", context)
+    if found.live:
+        shown.headers["Refresh"] = AGAIN
+    return shown
+
+
+@router.post("/jobs/{job}/cancel")
+async def cancel_job(job: str, bench: Tools) -> Response:
+    """End a job and show it."""
+    await cancelled(bench, job)
+    return RedirectResponse(f"/jobs/{job}", 303)

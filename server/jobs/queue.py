@@ -1,0 +1,67 @@
+"""The engine on PostgreSQL: Procrastinate hands the batches out to workers on any number of hosts."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import socket
+
+from procrastinate import App, PsycopgConnector, RetryStrategy
+from procrastinate.exceptions import ConnectorException
+
+from server.database.queue import QUEUE, TASK
+from server.jobs.working import Bureau, work
+
+AGAIN = 5  # s until a batch is tried again whose store did not answer
+GRACE = 20.0  # s that a batch may still take when the worker ends
+TAKING_BACK = "* * * * * */10"  # every ten seconds
+HEARTBEAT, SILENT = 5.0, 30.0  # s
+log = logging.getLogger("grubler")
+
+
+def application(url: str, bureau: Bureau, most: int) -> App:
+    """Make a worker's side of the queue.
+
+    Args:
+        url: Address of the store.
+        bureau: What the worker needs.
+        most: Batches at a time.
+    """
+    name = f"{socket.gethostname()[:40]} {os.getpid()}"
+    address = url.replace("postgresql+psycopg://", "postgresql://", 1)
+    app = App(connector=PsycopgConnector(conninfo=address, min_size=1, max_size=most + 2))
+
+    @app.task(name=TASK, queue=QUEUE, retry=RetryStrategy(wait=AGAIN))
+    async def batch(job: str, number: int) -> None:
+        taken = await bureau.jobs.take_one(name, job, number)
+        if taken is not None:
+            await work(bureau, taken)
+
+    @app.periodic(cron=TAKING_BACK)
+    @app.task(name="take_back", queue=QUEUE, queueing_lock="take_back", priority=1)
+    async def take_back(timestamp: int) -> None:
+        await bureau.jobs.take_back()
+        for job in await app.job_manager.get_stalled_jobs(queue=QUEUE, seconds_since_heartbeat=SILENT):
+            await app.job_manager.retry_job(job)
+
+    return app
+
+
+async def run(app: App, most: int, *, signals: bool) -> None:
+    """Work until told to stop; batches under way may end, or are given back."""
+    async with app.open_async():
+        await app.run_worker_async(
+            queues=[QUEUE], concurrency=most, delete_jobs="always", shutdown_graceful_timeout=GRACE,
+            install_signal_handlers=signals, update_heartbeat_interval=HEARTBEAT, stalled_worker_timeout=SILENT,
+        )  # fmt: skip
+
+
+async def run_on(url: str, bureau: Bureau, most: int) -> None:
+    """Work in a server until cancelled, also over times in which the database is away."""
+    while True:
+        try:
+            await run(application(url, bureau, most), most, signals=False)
+        except ConnectorException as error:
+            log.warning("the queue waits for the database: %s", error)
+        await asyncio.sleep(AGAIN)

@@ -1,0 +1,76 @@
+"""Doing one batch: read, compute in a process of its own, write once; whatever goes wrong, nothing is doubled."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass
+
+from server.judging import Judging
+from server.storage import StorageUnavailable
+from server.storage.jobs import Batch, Fenced, Jobs, Kind
+
+RENEWALS = 3  # in the time of one lease
+log = logging.getLogger("grubler")
+
+
+@dataclass(frozen=True, slots=True)
+class Bureau:
+    """What a worker needs: the store, processes that compute, the secret, the kinds of jobs it knows."""
+
+    jobs: Jobs
+    judging: Judging
+    secret: bytes
+    kinds: Mapping[str, Kind]
+
+
+async def work(bureau: Bureau, batch: Batch) -> None:
+    """Do a batch that was taken.
+
+    One that fails is tried again; one whose worker is stopped is given back; one that another worker has taken
+    meanwhile, because this one was silent for too long, is dropped.
+    """
+    kind = bureau.kinds[batch.kind]
+    try:
+        async with _renewed(bureau.jobs, batch):
+            given = await bureau.jobs.read(kind, batch)
+            (outcome,) = await bureau.judging.apart(kind.compute, [(bureau.secret, given)])
+        await bureau.jobs.keep(kind, batch, outcome)
+    except Fenced as refused:
+        log.warning("came too late and wrote nothing: %s", refused)
+    except StorageUnavailable as error:
+        log.warning("batch %d of job %s waits for the store: %s", batch.number, batch.job, error)
+    except asyncio.CancelledError:
+        await asyncio.shield(_give_back(bureau, batch))
+        raise
+    except Exception as error:
+        log.exception("batch %d of job %s failed", batch.number, batch.job)
+        with suppress(StorageUnavailable):
+            await bureau.jobs.fail(kind, batch, repr(error))
+
+
+async def _give_back(bureau: Bureau, batch: Batch) -> None:
+    """Give a batch back; where the store does not answer, its lease ends by itself."""
+    with suppress(StorageUnavailable):
+        await bureau.jobs.give_back(batch)
+
+
+@asynccontextmanager
+async def _renewed(jobs: Jobs, batch: Batch) -> AsyncIterator[None]:
+    renewing = asyncio.create_task(_renew(jobs, batch))
+    try:
+        yield
+    finally:
+        renewing.cancel()
+        with suppress(asyncio.CancelledError):
+            await renewing
+
+
+async def _renew(jobs: Jobs, batch: Batch) -> None:
+    while True:
+        await asyncio.sleep(jobs.lease / RENEWALS)
+        with suppress(StorageUnavailable):  # tried again; without luck others take the batch
+            if not await jobs.renew(batch):
+                return

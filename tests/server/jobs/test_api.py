@@ -1,0 +1,105 @@
+"""A job is watched by those who teach the course, and ended by its lecturers; others cannot tell it from none."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from server.jobs import api
+from server.jobs.kinds import KINDS
+from server.judging import JudgingThread
+from server.settings import Settings
+from tests.server.conftest import SECRET
+from tests.server.jobs.counting import COUNTING, Here, order
+from tests.server.school import School, opened
+from tests.server.stores import lay
+
+KIND = "sheets"
+
+
+@pytest.fixture(scope="module")
+def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
+    """A school whose server computes on its own thread."""
+    settings = Settings(tmp_path_factory.mktemp("jobs"), secret=SECRET, limited=False, workers=1)
+    lay(settings)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(JudgingThread, "apart", Here.apart)
+        patch.setitem(KINDS, KIND, replace(COUNTING, name=KIND))
+        with opened(settings) as found:
+            yield found
+
+
+def started(school: School, *pieces: Any) -> str:
+    """Start a job of the course; gives its number."""
+    made = order(pieces)
+    made = replace(made, kind=KIND, subject=made.id, course=school.course)
+    school.portal.call(school.bench.jobs.start, made)
+    school.portal.call(_wake, school)
+    return made.id
+
+
+async def _wake(school: School) -> None:
+    school.bench.engine.wake()
+
+
+def test_a_job_is_watched_to_its_end(school: School) -> None:
+    lecturer = school.browser("lecturer")
+    number = started(school, 1, [2, 0.2], 3)
+    text = ""
+    while '"state": "done"' not in text:
+        reply = lecturer.get(f"/api/v1/jobs/{number}/events")
+        assert reply.headers["content-type"].startswith("text/event-stream")
+        text = reply.text
+    told = [json.loads(line) for line in re.findall(r"^data: (.*)$", text, re.MULTILINE)]
+    assert told[-1] == {"state": "done", "done": 3, "total": 3}
+    assert [one["done"] for one in told] == sorted(one["done"] for one in told)
+    shown = lecturer.get(f"/api/v1/jobs/{number}").json()
+    assert (shown["state"], shown["result"], shown["subject"]) == ("done", {"sum": 14}, number)
+    document = lecturer.get(f"/api/v1/jobs/{number}/documents/2")
+    assert (document.content, document.headers["content-type"]) == (b"document", "application/pdf")
+    assert lecturer.get(f"/api/v1/jobs/{number}/documents/4").status_code == 404
+
+
+def test_a_silent_job_gives_a_sign_of_life(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(api, "LONGEST_WATCH", 0.3)
+    monkeypatch.setattr(api, "HEARTBEAT", 0.0)
+    monkeypatch.setattr(api, "LOOK", 0.05)
+    number = started(school, [1, 0.6])
+    text = school.browser("assistant").get(f"/api/v1/jobs/{number}/events").text
+    assert ": still here\n\n" in text and text.startswith("retry:")
+
+
+def test_the_page_looks_again_until_the_job_has_ended(school: School) -> None:
+    lecturer = school.browser("lecturer")
+    number = started(school, [1, 0.3], [2, 0.3])
+    reply = lecturer.get(f"/jobs/{number}?lang=en")
+    assert reply.headers["refresh"] and "Parts done: " in reply.text and f"/jobs/{number}/cancel" in reply.text
+    assert lecturer.post(f"/jobs/{number}/cancel").headers["location"] == f"/jobs/{number}"
+    reply = lecturer.get(f"/jobs/{number}?lang=en")
+    assert "refresh" not in reply.headers and "cancelled" in reply.text and "/cancel" not in reply.text
+    again = lecturer.post(f"/api/v1/jobs/{number}/cancel")
+    assert (again.status_code, again.json()["state"]) == (200, "cancelled")
+
+
+def test_a_fault_is_told_with_its_number_and_nothing_else(school: School) -> None:
+    lecturer = school.browser("lecturer")
+    number = started(school, "x")
+    while lecturer.get(f"/api/v1/jobs/{number}").json()["state"] != "failed":
+        school.portal.call(_wake, school)
+    text = lecturer.get(f"/jobs/{number}?lang=en").text
+    assert number in text and "literal" not in text
+
+
+@pytest.mark.parametrize(("who", "status"), [("assistant", 200), ("student", 403), ("stranger", 404)])
+def test_a_job_is_shown_to_those_who_teach_the_course(school: School, who: str, status: int) -> None:
+    number, reader = started(school, 1), school.browser(who)
+    for path in (f"/api/v1/jobs/{number}", f"/jobs/{number}", f"/api/v1/jobs/{number}/events"):
+        assert reader.get(path).status_code == status, path
+    assert reader.post(f"/api/v1/jobs/{number}/cancel").status_code in (403, 404)
+    assert reader.get(f"/api/v1/jobs/{number}/documents/1").status_code in (403, 404)
+    assert reader.get("/api/v1/jobs/AAAA-AAAA-AAAA").status_code == 404

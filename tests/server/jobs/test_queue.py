@@ -1,0 +1,163 @@
+"""Workers on PostgreSQL: Procrastinate hands out, stalled jobs come back, what is written late is refused."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import subprocess
+import sys
+import time
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sqlalchemy import text
+
+from server.database import Database
+from server.jobs import queue
+from server.jobs.working import Bureau, work
+from server.settings import Settings
+from server.storage.jobs import Job
+from tests.server.jobs.counting import COUNTING, KINDS, Here, left, order
+from tests.server.jobs.relay import Relay
+from tests.server.jobs.test_engine import ended, fence
+from tests.server.stores import lay
+
+WORKER = """
+import asyncio, sys
+from server.database import Database
+from server.jobs import queue
+from server.jobs.working import Bureau
+from tests.server.jobs.counting import KINDS, Here
+if __name__ == "__main__":
+    database = Database(sys.argv[1])
+    app = queue.application(sys.argv[1], Bureau(database.jobs, Here(), b"s", KINDS), 1)
+    asyncio.run(queue.run(app, 1, signals=True))
+"""
+ROOT = Path(__file__).parents[3]
+
+
+@pytest.fixture(scope="module")
+def url(shared_database_url: str, tmp_path_factory: pytest.TempPathFactory) -> str:
+    return lay(Settings(tmp_path_factory.mktemp("queue"), database_url=shared_database_url))
+
+
+@pytest.fixture
+def bureau(url: str) -> Iterator[Bureau]:
+    """A worker's tools; nothing of an earlier test is in the queue."""
+    database, judging = Database(url), Here()
+    yield Bureau(database.jobs, judging, b"secret", KINDS)
+    judging.close()
+    database.close()
+
+
+def asked(bureau: Bureau, query: str) -> Any:
+    return asyncio.run(bureau.jobs.plan(lambda connection: connection.execute(text(query)).scalars().all()))
+
+
+@asynccontextmanager
+async def at_work(url: str, bureau: Bureau) -> AsyncIterator[None]:
+    """Let a worker of this process do what comes."""
+    working = asyncio.create_task(queue.run(queue.application(url, bureau, 2), 2, signals=False))
+    yield
+    working.cancel()
+    await asyncio.gather(working, return_exceptions=True)
+
+
+def finished(url: str, bureau: Bureau, number: str) -> Job:
+    async def waited() -> Job:
+        async with at_work(url, bureau), asyncio.timeout(40):
+            return await ended(bureau, number)
+
+    return asyncio.run(waited())
+
+
+def rows(bureau: Bureau, number: str) -> Any:
+    return asyncio.run(bureau.jobs.plan(lambda connection: [left(connection, number)]))[0]
+
+
+def test_a_worker_does_all_batches_once(url: str, bureau: Bureau) -> None:
+    made = order(range(9))
+    asyncio.run(bureau.jobs.start(made))
+    assert len(asked(bureau, "SELECT id FROM procrastinate_jobs WHERE task_name = 'batch'")) == 9
+    found = finished(url, bureau, made.id)
+    assert (found.state, found.result, rows(bureau, made.id)) == ("done", {"sum": 204}, 9)
+    assert asked(bureau, "SELECT id FROM procrastinate_jobs WHERE task_name = 'batch' AND status = 'todo'") == []
+
+
+def test_what_is_rolled_back_is_not_in_the_queue(bureau: Bureau) -> None:
+    def refuse(connection: Any) -> None:
+        raise ValueError("no")
+
+    made = order([1], "refused")
+    with pytest.raises(ValueError, match="no"):
+        asyncio.run(bureau.jobs.start(made, refuse))
+    query = f"SELECT id FROM procrastinate_jobs WHERE args->>'job' = '{made.id}'"
+    assert asked(bureau, query) == []
+
+
+def test_a_killed_worker_s_batch_is_done_by_another(url: str, bureau: Bureau, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(queue, "TAKING_BACK", "* * * * * *")  # every second
+    made = order([1, [2, 1], 3], "killed")
+    asyncio.run(bureau.jobs.start(made))
+    process = subprocess.Popen([sys.executable, "-c", WORKER, url], env=os.environ | {"PYTHONPATH": str(ROOT)})
+    deadline = time.monotonic() + 60
+    while fence(bureau, made.id, 2) == 0:
+        assert time.monotonic() < deadline and process.poll() is None
+        time.sleep(0.02)
+    process.kill()
+    process.wait()
+    _end_leases(bureau)
+    found = finished(url, bureau, made.id)
+    assert (found.state, found.result, rows(bureau, made.id)) == ("done", {"sum": 14}, 3)
+
+
+def _end_leases(bureau: Bureau) -> None:
+    """Let the time pass that nobody may wait for in a test."""
+
+    def end(connection: Any) -> list[Any]:
+        connection.execute(text("UPDATE batches SET lease = now() - interval '1 second' WHERE state = 'running'"))
+        connection.execute(text("UPDATE procrastinate_workers SET last_heartbeat = now() - interval '1 hour'"))
+        connection.commit()
+        return []
+
+    asyncio.run(bureau.jobs.plan(end))
+
+
+def test_a_worker_that_was_cut_off_past_its_lease_writes_nothing(
+    url: str, bureau: Bureau, caplog: pytest.LogCaptureFixture
+) -> None:
+    port = int(url.rsplit(":", 1)[1].split("/")[0])
+    relay = Relay(port)
+    cut_off = Database(url.replace(f":{port}/", f":{relay.port}/"))
+    slow = Bureau(cut_off.jobs, Here(), b"secret", KINDS)
+    made = order([5, 6], "cut off")
+    asyncio.run(bureau.jobs.start(made))
+
+    async def both() -> Job:
+        batch = await slow.jobs.take_one("slow", made.id, 1)
+        assert batch is not None
+        given = await slow.jobs.read(COUNTING, batch)
+        relay.cut()
+        late = asyncio.create_task(slow.jobs.keep(COUNTING, batch, given**2))
+        await asyncio.to_thread(_end_leases, bureau)
+        for number in (1, 2):
+            other = await bureau.jobs.take_one("other", made.id, number)
+            assert other is not None
+            await work(bureau, other)
+        assert not late.done()
+        relay.mend()
+        with pytest.raises(RuntimeError, match=f"batch 1 of job {made.id}"):
+            await late
+        found = await bureau.jobs.job(made.id)
+        assert found is not None
+        return found
+
+    found = asyncio.run(both())
+    assert (found.state, found.done, found.result) == ("done", 2, {"sum": 61})
+    assert (rows(bureau, made.id), fence(bureau, made.id, 1)) == (2, 2)
+    slow.judging.close()
+    cut_off.close()
+    relay.close()
