@@ -55,7 +55,7 @@ class Card:
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """What is on the desk: a variant, what was typed, the submission shown, the draft kept."""
+    """What is on the desk: a variant, what was typed, the submission shown, the draft kept; `past`: only to look at."""
 
     dealt: Dealt
     typed: Mapping[str, str]
@@ -64,6 +64,7 @@ class Work:
     fresh: bool = False
     reported: bool | None = None
     section: int | None = None
+    past: bool = False
 
 
 @router.get("/")
@@ -115,14 +116,16 @@ async def show_workspace(
 ) -> HTMLResponse:
     """Show the task with its figure and answers, as they were last typed or handed in."""
     dealt = await visible(bench, reader, variant)
-    last = await receipted(bench, reader, receipt) if receipt else await bench.storage.latest(dealt.id)
+    newest = await bench.storage.latest(dealt.id)
+    last = await receipted(bench, reader, receipt) if receipt else newest
     if last is not None and last.handed.variant != dealt.id:
         raise Refused(404, "unknown_submission")
+    past = last is not None and newest is not None and last.handed.receipt != newest.handed.receipt
     staff = reader.owner_id != dealt.owner.id
     result = await graded(bench, last, reader.language, staff=staff) if last else None
     draft = await bench.storage.draft(dealt.id) if may_answer(reader.owner_id, dealt) else None
-    typed = draft.answers if draft and fresher(draft, last) else result.answers if result else {}
-    work = Work(dealt, whole(typed), result, draft, fresh=bool(receipt), reported=reported, section=section)
+    typed = draft.answers if draft and fresher(draft, last) and not past else result.answers if result else {}
+    work = Work(dealt, whole(typed), result, draft, bool(receipt), reported, section, past)
     return await _workspace(request, bench, reader, work)
 
 
@@ -195,6 +198,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "lines": laid,
         "result": result,
         "fresh": work.fresh,
+        "past": work.past,
         "draft": work.draft,
         "reported": work.reported,
         "mine": may_answer(reader.owner_id, dealt),

@@ -149,6 +149,7 @@ def keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, boo
         marked = replace(marked, counted=False)
     line = {"submission": handed.receipt, "grader_version": marked.grader_version, "grade": marked.grade}
     connection.execute(insert(grades), line | {"counted": marked.counted, "time": handed.time})
+    work.close_draft(connection, handed.variant, handed.answers, handed.time)
     return marked, False
 
 

@@ -6,7 +6,7 @@ from datetime import datetime
 
 from sqlalchemy import ColumnElement, Connection, func, insert, or_, select, update
 
-from server.storage import Draft, Problem
+from server.storage import Answers, Draft, Problem
 from server.tables import deck, drafts, memberships, owners, problems, variants
 
 
@@ -27,6 +27,14 @@ def keep_draft(connection: Connection, new: Draft) -> tuple[Draft, bool]:
     else:
         connection.execute(update(drafts).where(drafts.c.variant == new.variant), values)
     return new, True
+
+
+def close_draft(connection: Connection, variant: str, answers: Answers, time: datetime) -> None:
+    """Let what is handed in be the draft from now on: one that was sent before and arrives later is typed over none."""
+    mine = update(drafts).where(drafts.c.variant == variant)
+    values = {"answers": dict(answers), "time": time}
+    if connection.execute(mine.values(**values, revision=drafts.c.revision + 1)).rowcount == 0:
+        connection.execute(insert(drafts), values | {"variant": variant, "revision": 1})
 
 
 def keep_problem(connection: Connection, problem: Problem, most: int) -> bool:

@@ -41,9 +41,9 @@ def test_a_draft_is_found_again_as_it_was_typed(client: TestClient, deal: Callab
 def test_the_page_shows_the_draft_without_script(client: TestClient, deal: Callable[..., str]) -> None:
     number = deal()
     client.post(f"/variants/{number}", data={"answer.l3": "17 mm", "answer.v3": "1 m/s"})
-    put(client, number, 0, l3="18 mm", v3="1 m/s")
+    put(client, number, 1, l3="18 mm", v3="1 m/s")
     page = client.get(f"/variants/{number}", headers=EN).text
-    assert 'value="18 mm"' in page and 'data-revision="1"' in page
+    assert 'value="18 mm"' in page and 'data-revision="2"' in page
     assert page.count('class="verdict v-wrong"') == 1  # of v3: what is typed in l3 now was not judged
     client.post(f"/variants/{number}", data={"answer.l3": "19 mm"})
     assert 'value="19 mm"' in client.get(f"/variants/{number}").text  # handed in after the draft
@@ -126,3 +126,31 @@ def test_a_draft_goes_with_its_variant_unless_a_problem_is_open(database: Databa
             await practice.keep_draft(draft)
 
     asyncio.run(work())
+
+
+def test_a_draft_on_its_way_while_its_answers_are_handed_in_is_not_kept(
+    client: TestClient, deal: Callable[..., str]
+) -> None:
+    for number, revision in ((deal(), 0), (deal(seed=8), 1)):
+        if revision:
+            put(client, number, 0, l3="17")
+        client.post(f"/variants/{number}", data={"answer.l3": "18 mm"})
+        late = put(client, number, revision, l3="17 m")
+        assert (late.status_code, late.json()["error"]["code"]) == (409, "draft_changed")
+        assert kept(client, number)["answers"]["l3"] == "18 mm"
+        assert 'value="18 mm"' in client.get(f"/variants/{number}").text
+        assert put(client, number, revision + 1, l3="19").json()["revision"] == revision + 2
+
+
+def test_an_earlier_receipt_shows_what_was_handed_in_and_is_only_looked_at(
+    client: TestClient, deal: Callable[..., str]
+) -> None:
+    number = deal()
+    first = client.post(f"/variants/{number}", data={"answer.l3": "17 mm"}).url.params["receipt"]
+    last = client.post(f"/variants/{number}", data={"answer.l3": "18 mm"}).url.params["receipt"]
+    put(client, number, 2, l3="19 mm")
+    old = client.get(f"/variants/{number}?receipt={first}", headers=EN).text
+    assert 'value="17 mm"' in old and "<fieldset" in old and "This is what you handed in" in old
+    assert "data-draft" not in old and "Check answers" not in old
+    new = client.get(f"/variants/{number}?receipt={last}", headers=EN).text
+    assert 'value="19 mm"' in new and 'data-revision="3"' in new and "Check answers" in new

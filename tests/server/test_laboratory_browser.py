@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -12,19 +12,30 @@ from playwright.sync_api import Browser, Page, Route, expect
 from exercises import grading
 from exercises.variants import deal
 from tests.server.conftest import Live
-from tests.server.test_browser import focus_by_tab, practise, watched
+from tests.server.test_browser import focus_by_tab, watched
+from tests.server.walking import desk, follow
 
 RIGHT = grading.reference(deal("tmm2_oop", 7))
 WRONG = RIGHT["polygon"].replace("l_AB*sin(Theta1)", "l_AB*cos(Theta1)")
 AGREES = "The links keep their lengths, and D follows the true motion."
 
 
-@pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    context = browser.new_context(locale="en", viewport={"width": 1360, "height": 900}, reduced_motion="reduce")
-    context.set_default_timeout(10_000)
+@pytest.fixture(scope="module")
+def tab(browser: Browser) -> Iterator[Page]:
+    """One page that all tests here walk on."""
+    context = browser.new_context(locale="en", reduced_motion="reduce")
+    context.set_default_timeout(15_000)
     yield from watched(context.new_page())
     context.close()
+
+
+@pytest.fixture
+def page(tab: Page) -> Iterator[Page]:
+    """The page, wide, in English, with nothing of the test before."""
+    tab.set_viewport_size({"width": 1360, "height": 900})
+    tab.context.clear_cookies()
+    yield tab
+    tab.unroute_all()
 
 
 def part(page: Page, name: str) -> str:
@@ -38,20 +49,31 @@ def fill(page: Page, name: str, text: str) -> None:
     field.fill(text)
 
 
+def fill_all(page: Page, answers: Mapping[str, str]) -> None:
+    """Type all answers at once, whether their sections are open or not."""
+    page.evaluate(
+        """(answers) => Object.entries(answers).forEach(([name, text]) => {
+          const field = document.querySelector(`[name='answer.${name}']`);
+          field.value = text;
+          field.dispatchEvent(new Event("input", { bubbles: true }));
+        })""",
+        answers,
+    )
+
+
 def test_the_laboratory_from_the_polygon_to_the_report(page: Page, site: Live) -> None:
-    practise(page, site, "tmm2_oop")
+    desk(page, site.url, "tmm2_oop")
     fill(page, "polygon", RIGHT["polygon"])
     expect(page.locator("[data-lab='note']")).to_have_text(AGREES)
     assert "waits for section 10" in page.inner_text("[data-plot='velocity'] output")
-    page.click("button[name='section'][value='7']")
+    follow(page, "button[name='section'][value='7']")
     page.wait_for_selector("#section-7 .v-right")
-    for name, text in RIGHT.items():
-        fill(page, name, text)
+    fill_all(page, RIGHT)
     expect(page.locator("[data-plot='acceleration'] output")).to_contain_text("m/s²")
     page.press("#lab-l_AB", "End")
     expect(page.locator("[data-lab='ratio']")).to_have_text(f"{float(RIGHT['k_v']):.4f}")
     expect(page.locator("[data-draft-state]")).to_contain_text("saved")
-    page.click("form[data-preview] button.main")
+    follow(page, "form[data-preview] button.main")
     page.wait_for_selector("#result")
     assert page.inner_text("#result") == "21 of 23 right"
     assert page.locator(".sections .v .v-right").count() == 6 and page.locator(".sections .v .v-undecided").count() == 2
@@ -65,7 +87,7 @@ def test_the_laboratory_from_the_polygon_to_the_report(page: Page, site: Live) -
 
 
 def test_one_wrong_formula_breaks_the_named_link_in_the_language_of_the_page(page: Page, site: Live) -> None:
-    practise(page, site, "tmm2_oop")
+    desk(page, site.url, "tmm2_oop")
     fill(page, "polygon", WRONG)
     expect(page.locator("[data-lab='note']")).to_have_text(
         re.compile(r"Link AB is 0\.430\u202fm long; your formulas make it 0\.106\u202fm\.")
@@ -77,7 +99,7 @@ def test_one_wrong_formula_breaks_the_named_link_in_the_language_of_the_page(pag
     expect(page.locator("#lab-t")).not_to_have_value("0")
     page.click("[data-lab='play']")
     page.wait_for_selector("[data-draft-state]:has-text('saved')")
-    page.click(".tools a[hreflang='pl']")
+    follow(page, ".tools a[hreflang='pl']")
     expect(page.locator("[data-lab='note']")).to_have_text(
         "Człon AB ma 0,430\u202fm, a z Twoich wzorów wychodzi 0,106\u202fm."
     )
@@ -85,7 +107,7 @@ def test_one_wrong_formula_breaks_the_named_link_in_the_language_of_the_page(pag
 
 def test_a_section_is_opened_filled_and_checked_by_keyboard_on_a_phone(page: Page, site: Live) -> None:
     page.set_viewport_size({"width": 360, "height": 740})
-    practise(page, site, "tmm2_oop")
+    desk(page, site.url, "tmm2_oop")
     for _ in range(80):
         page.keyboard.press("Tab")
         if page.evaluate("document.activeElement.closest('#section-9') !== null"):
@@ -107,7 +129,7 @@ def test_a_section_is_opened_filled_and_checked_by_keyboard_on_a_phone(page: Pag
 
 
 def test_samples_come_back_and_the_largest_difference_is_told(page: Page, site: Live) -> None:
-    practise(page, site, "tmm2_oop")
+    desk(page, site.url, "tmm2_oop")
     fill(page, "polygon", RIGHT["polygon"])
     expect(page.locator("[data-lab='note']")).to_have_text(AGREES)
     with page.expect_download() as saved:
@@ -125,7 +147,7 @@ def test_samples_come_back_and_the_largest_difference_is_told(page: Page, site: 
 def test_without_script_five_positions_stand_in_the_place_of_the_stage(browser: Browser, site: Live) -> None:
     context = browser.new_context(locale="pl", java_script_enabled=False)
     plain = context.new_page()
-    practise(plain, site, "slider_crank_polygon")
+    desk(plain, site.url, "slider_crank_polygon")
     assert plain.locator(".strip svg:visible").count() == 5
     assert plain.locator("[data-lab='play']:visible").count() == 0
     context.close()
@@ -136,9 +158,8 @@ def test_while_results_are_held_nothing_of_the_true_motion_is_shown(page: Page, 
         reply = route.fetch()
         route.fulfill(response=reply, body=reply.text().replace(" data-laboratory=", " data-held data-laboratory="))
 
-    practise(page, site, "tmm2_oop")
-    page.route(page.url, hold)
-    page.reload()
+    page.route("**/variants/*", hold)
+    desk(page, site.url, "tmm2_oop")
     fill(page, "polygon", WRONG)
     expect(page.locator("[data-lab='note']")).to_contain_text("In an examination")
     assert page.locator("[data-link='AB']").get_attribute("class") == "f-link"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -13,12 +14,13 @@ from exercises.solving import solved
 from exercises.variants import deal
 from tests.server import components
 from tests.server.conftest import Live
-from tests.server.test_browser import practise, watched
+from tests.server.test_browser import watched
+from tests.server.walking import desk
 
 TASKS = {
-    "slider_crank": ("l3", "omega2_formula"), "mobility": ("n", "drives"), "planetary": ("u0",),
-    "four_bar": ("assemblies",), "rrr_matrices": ("A1",), "rrp_table": ("P",), "beam_diagrams": ("V",),
-    "beam_deflection": ("M",), "slider_crank_cycle": ("cycle",), "slider_crank_polygon": ("polygon", "velocities"),
+    "gear_train": ("z4", "u_formula", "u", "sense"), "planetary": ("u0",), "rrr_inverse": ("q",),
+    "rrp_table": ("P", "A1"), "beam_diagrams": ("V",), "beam_deflection": ("M",), "slider_crank_cycle": ("cycle",),
+    "slider_crank_polygon": ("polygon", "velocities"),
 }  # fmt: skip
 OFF = ("v-wrong", "v-partly")
 SAVED = "[data-draft-state]:text('saved')"
@@ -32,6 +34,7 @@ def page(browser: Browser) -> Iterator[Page]:
     context.close()
 
 
+@cache
 def texts(exercise: str, name: str) -> tuple[str, str, str]:
     """A right, a wrong and an unreadable text of an answer."""
     task = solved(deal(exercise, 7))
@@ -60,7 +63,7 @@ def type_in(page: Page, name: str, text: str) -> bool:
 
 @pytest.mark.parametrize("exercise", TASKS)
 def test_each_kind_is_answered_right_wrong_and_unreadably_by_keyboard(page: Page, site: Live, exercise: str) -> None:
-    practise(page, site, exercise)
+    desk(page, site.url, exercise)
     for outcomes, place in ((("v-right",), 0), (OFF, 1), (("v-unread",), 2)):
         typed = [name for name in TASKS[exercise] if type_in(page, name, texts(exercise, name)[place])]
         with page.expect_navigation():
@@ -72,7 +75,7 @@ def test_each_kind_is_answered_right_wrong_and_unreadably_by_keyboard(page: Page
 
 
 def test_a_grid_is_filled_and_echoed_by_keyboard(page: Page, site: Live) -> None:
-    practise(page, site, "rrr_matrices")
+    desk(page, site.url, "rrr_matrices")
     page.focus("[name='answer.A1.1.1']")
     for row in range(1, 5):
         for column in range(1, 5):
@@ -89,7 +92,7 @@ def test_a_grid_is_filled_and_echoed_by_keyboard(page: Page, site: Live) -> None
 
 
 def test_a_diagram_is_drawn_by_keyboard_and_is_its_table(page: Page, site: Live) -> None:
-    practise(page, site, "beam_diagrams")
+    desk(page, site.url, "beam_diagrams")
     first = page.locator(".sketch [role=slider]").first
     first.focus()
     for key in ("Insert", "Tab", "ArrowUp", "Shift+ArrowUp", "+"):
@@ -108,7 +111,7 @@ def test_a_diagram_is_drawn_by_keyboard_and_is_its_table(page: Page, site: Live)
 
 
 def test_a_polygon_is_built_row_by_row(page: Page, site: Live) -> None:
-    practise(page, site, "slider_crank_polygon")
+    desk(page, site.url, "slider_crank_polygon")
     text = grading.reference(deal("slider_crank_polygon", 7))["polygon"]
     vectors = (
         ("l1", "A", "B", "l1", "alpha1", "+"),
@@ -134,7 +137,7 @@ def test_a_polygon_is_built_row_by_row(page: Page, site: Live) -> None:
 
 
 def test_orders_boxes_and_files_are_answers(page: Page, site: Live) -> None:
-    practise(page, site)
+    desk(page, site.url)
     address, whole = f"{site.url}/kinds", components.page(page.request.get(page.url).text())
     page.route(address, lambda route: route.fulfill(body=whole, content_type="text/html"))
     page.goto(address)
@@ -155,7 +158,7 @@ def test_orders_boxes_and_files_are_answers(page: Page, site: Live) -> None:
 
 
 def test_the_visual_editor_keeps_in_step_with_the_text(page: Page, site: Live) -> None:
-    practise(page, site)
+    desk(page, site.url)
     field = "[name='answer.omega2_formula']"
     page.fill(field, "l1")
     page.click(".visual button")
@@ -176,7 +179,7 @@ def test_the_visual_editor_keeps_in_step_with_the_text(page: Page, site: Live) -
 
 
 def test_a_lost_connection_keeps_the_answers_and_sends_them_when_it_is_back(page: Page, site: Live) -> None:
-    practise(page, site)
+    desk(page, site.url)
     page.locator("[name='answer.l3']").press_sequentially("12,")
     page.context.set_offline(True)
     page.locator("[name='answer.l3']").press_sequentially("5 mm")
@@ -192,9 +195,29 @@ def test_a_lost_connection_keeps_the_answers_and_sends_them_when_it_is_back(page
     other.close()
 
 
+def test_what_is_handed_in_without_a_connection_waits_for_it(page: Page, site: Live) -> None:
+    desk(page, site.url)
+    button, waiting = page.locator("form[data-preview] button.main"), page.locator("[data-waiting]")
+    page.fill("[name='answer.l3']", "12,5 mm")
+    page.context.set_offline(True)
+    button.click()
+    expect(waiting).to_contain_text("No connection. Your answers are kept in this browser")
+    page.fill("[name='answer.l3']", "12,6 mm")
+    expect(waiting).to_be_empty()
+    expect(button).to_have_text("Check answers")
+    page.focus("[name='answer.l3']")
+    page.keyboard.press("Enter")
+    expect(waiting).not_to_be_empty()
+    with page.expect_navigation(url="**receipt=*"):
+        page.context.set_offline(False)
+    assert page.input_value("[name='answer.l3']") == "12,6 mm"
+    assert page.locator("li:has([name='answer.l3']) .verdict").count() == 1
+
+
 def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live, browser: Browser) -> None:
-    practise(page, site)
+    desk(page, site.url)
     page.fill("[name='answer.l3']", "17 mm")
+    page.keyboard.press("Tab")
     page.wait_for_selector(SAVED)
     phone = browser.new_context(locale="en", viewport={"width": 360, "height": 740}, has_touch=True, is_mobile=True)
     for cookie in page.context.cookies():  # the same person; nothing that the first browser keeps
@@ -211,8 +234,10 @@ def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live
         >= 44
     )
     assert small.evaluate("document.documentElement.scrollWidth") <= 360
+    small.tap("[name='answer.l3']")  # leaving a field saves at once
     small.wait_for_selector(SAVED)
     phone.close()
     page.fill("[name='answer.v3']", "1 m/s")  # the other device came first: both are kept
+    page.keyboard.press("Tab")
     expect(page.locator("[name='answer.omega2_formula']")).to_have_value("l1*")
     assert page.input_value("[name='answer.v3']") == "1 m/s" and page.is_hidden("[data-draft-conflict]")

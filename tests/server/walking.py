@@ -14,3 +14,9 @@ def follow(page: Page, selector: str) -> None:
 def width(page: Page) -> int:
     """The width that the page asks for, in CSS pixels."""
     return int(page.evaluate("document.documentElement.scrollWidth"))
+
+
+def desk(page: Page, address: str, exercise: str = "slider_crank", seed: int = 7) -> None:
+    """Deal a variant to the browser's cookie and open its workspace."""
+    dealt = page.request.post(f"{address}/api/v1/exercises/{exercise}/variants", data={"seed": seed})
+    page.goto(f"{address}/variants/{dealt.json()['id']}")

@@ -9,15 +9,12 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from sqlalchemy import insert
 
 from server.database import Database
-from server.engine import engine
 from server.migrate import migrate
 from server.settings import Settings
-from server.storage import Handed, KeyReused, Marked
+from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.sets import Card, NoAttemptLeft, NotADraft, Slot, TaskSet
-from server.tables import drafts
 from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
@@ -211,12 +208,11 @@ def test_an_exercise_is_reserved_until_the_set_is_over(school: School) -> None:
 def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
     task_set = school.published()
     dealt = school.opened(task_set.slots[0], "anna")
-    direct = engine(school.url, connections=1)
-    with direct.begin() as connection:
-        later = {"variant": dealt.variant, "answers": {"l3": "2"}, "time": NOW + timedelta(minutes=1), "revision": 1}
-        connection.execute(insert(drafts), later)
-    direct.dispose()
     school.keep(dealt, f"{dealt.id} 1", 2)
+    assert asyncio.run(school.one.sets.waiting()) == []
+    assert dealt.variant is not None
+    later = Draft(dealt.variant, {"l3": "2"}, NOW + timedelta(minutes=1), 2)
+    assert asyncio.run(school.one.practice.keep_draft(later)) == (later, True)
     (found,) = asyncio.run(school.one.sets.waiting())
     assert (found.variant, found.person, found.answers) == (dealt.variant, "anna", {"l3": "2"})
     school.keep(dealt, f"{dealt.id} 2", 2, time=NOW + timedelta(minutes=2))
