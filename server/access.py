@@ -123,13 +123,15 @@ async def _refuse_others(bench: Bench, reader: Reader, member: Member) -> None:
     person, actor = member.person, reader.person.id if reader.person else None
     if not may_reset(actor, person.id, person.role, await bench.courses.is_staff(person.id)):
         raise Refused(403, "no_reset")
+    if not person.active:
+        raise Refused(403, "closed_account")
     if person.signed_up and not may_replace(reader.role, await bench.courses.elsewhere(actor or "", person.id)):
         raise Refused(403, "no_reset_elsewhere")
 
 
 async def _waits(bench: Bench, reader: Reader, member: Member) -> bool:
     person, actor = member.person, reader.person.id if reader.person else None
-    if member.role != "student" or person.signed_up:
+    if member.role != "student" or person.signed_up or not person.active:
         return False
     return may_reset(actor, person.id, person.role, await bench.courses.is_staff(person.id))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from server import identity, ids
+from server import identity, ids, personal
 from server.audit import COMMAND_LINE
 from server.database import Database
 from server.errors import Refused
@@ -23,7 +23,7 @@ class AccountError(ValueError):
 
 def first_link(settings: Settings) -> str | None:
     """Make the link for the first administrator; none, where there is one already."""
-    return _with(settings, lambda people: _first(people, settings))
+    return _with(settings, lambda database: _first(database.people, settings))
 
 
 def reset(settings: Settings, login: str | None) -> str:
@@ -32,7 +32,7 @@ def reset(settings: Settings, login: str | None) -> str:
     Raises:
         AccountError: Nobody has this login, or none was given and there is an administrator.
     """
-    return _with(settings, lambda people: _reset(people, settings, login))
+    return _with(settings, lambda database: _reset(database.people, settings, login))
 
 
 def add(settings: Settings, login: str, name: str, role: str) -> str:
@@ -41,12 +41,30 @@ def add(settings: Settings, login: str, name: str, role: str) -> str:
     Raises:
         AccountError: The login is taken, or login or name cannot be used.
     """
-    return _with(settings, lambda people: _add(people, settings, login, name, role))
+    return _with(settings, lambda database: _add(database.people, settings, login, name, role))
 
 
-def _with(settings: Settings, work: Callable[[People], Awaitable[T]]) -> T:
+def data(settings: Settings, who: str) -> dict[str, Any]:
+    """Give all that is kept of a person, by login or number, and note that it was given.
+
+    Raises:
+        AccountError: There is no such person.
+    """
+    return _with(settings, lambda database: _data(database, who))
+
+
+def erase(settings: Settings, who: str) -> str:
+    """Erase a person, by login or number; gives the number under which the marks stay.
+
+    Raises:
+        AccountError: There is no such person, or it is an administrator.
+    """
+    return _with(settings, lambda database: _erase(database, who))
+
+
+def _with(settings: Settings, work: Callable[[Database], Awaitable[T]]) -> T:
     async def done() -> T:
-        return await work(database.people)
+        return await work(database)
 
     database = Database(settings.store_url)
     try:
@@ -81,3 +99,26 @@ async def _add(people: People, settings: Settings, login: str, name: str, role: 
     if not await people.add(person):
         raise AccountError("taken_login")
     return await identity.make_link(people, settings, "join", COMMAND_LINE, person)
+
+
+async def _data(database: Database, who: str) -> dict[str, Any]:
+    number = await _number(database.people, who)
+    found = await personal.collected(database.personal, database.sets, number)
+    await database.audit.note(personal.exported(number, COMMAND_LINE))
+    return found
+
+
+async def _erase(database: Database, who: str) -> str:
+    number = await _number(database.people, who)
+    try:
+        await personal.erased(database.people, database.personal, number, COMMAND_LINE)
+    except Refused as refused:
+        raise AccountError(refused.code) from None
+    return number
+
+
+async def _number(people: People, who: str) -> str:
+    person = await people.by_login(who.strip().casefold()) or await people.person(who.strip().upper())
+    if person is None:
+        raise AccountError("unknown_login")
+    return person.id

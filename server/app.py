@@ -23,12 +23,15 @@ from server import (
     courses,
     drafts,
     errors,
+    everybody,
+    everybody_pages,
     exercises,
     health,
     metrics,
     oidc_pages,
     pages,
     people,
+    personal,
     policy,
     problems,
     reports,
@@ -77,6 +80,10 @@ ROUTERS = (
     courses.router,
     access.router,
     access.pages,
+    everybody.router,
+    everybody_pages.router,
+    personal.router,
+    personal.pages,
     audit_log.router,
     audit_log.pages,
     signin_pages.router,
@@ -144,7 +151,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     engine = Engine(bureau, SERVER, settings.workers or 1)
     app.state.bench = Bench(
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
-        passwords, database.sets, database.audit, database.jobs, engine,
+        passwords, database.sets, database.audit, database.jobs, engine, database.personal,
     )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))

@@ -18,6 +18,7 @@ from server.storage.audit import Audit
 from server.storage.courses import Courses
 from server.storage.jobs import Jobs
 from server.storage.people import People
+from server.storage.personal import Personal
 from server.storage.sets import Sets
 
 
@@ -38,6 +39,7 @@ class Bench:
     audit: Audit
     jobs: Jobs
     engine: Engine
+    personal: Personal
 
 
 async def bench(request: Request) -> Bench:

@@ -7,6 +7,7 @@ from server.database.connections import Connections
 from server.database.courses import Courses
 from server.database.jobs import Jobs
 from server.database.people import People
+from server.database.personal import Personal
 from server.database.practice import Practice
 from server.database.secret import secret_of
 from server.database.sets import Sets
@@ -23,6 +24,7 @@ class Database:
         self.practice = Practice(self._connections)
         self.sets = Sets(self._connections)
         self.people = People(self._connections)
+        self.personal = Personal(self._connections)
         self.courses = Courses(self._connections)
         self.jobs = Jobs(self._connections)
 

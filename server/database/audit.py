@@ -36,7 +36,7 @@ class Audit:
         query = query if course is None else query.where(audit.c.course == course)
         query = query if before is None else query.where(audit.c.id < before)
         rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
-        return [_line(row) for row in rows]
+        return [line_of(row) for row in rows]
 
     async def names(self, numbers: Collection[str]) -> Mapping[str, str]:
         """Give the names of people and the titles of sets and courses that are there."""
@@ -89,7 +89,8 @@ def _digest(previous: str, time: datetime, entry: Entry) -> str:
     return ids.digest(b"audit", previous.encode(), whole.encode())
 
 
-def _line(row: RowMapping) -> Line:
+def line_of(row: RowMapping) -> Line:
+    """Make a line of a row of `audit`."""
     entry = Entry(row["actor"], Action(row["action"]), row["object"], row["course"], row["details"])
     return Line(row["id"], row["time"], entry, row["digest"])
 
@@ -98,7 +99,7 @@ def _broken(connection: Connection) -> int | None:
     previous, after = FIRST, 0
     while rows := _following(connection, after):
         for row in rows:
-            line = _line(row)
+            line = line_of(row)
             if row["previous"] != previous or line.digest != _digest(previous, line.time, line.entry):
                 return line.number
             previous, after = line.digest, line.number

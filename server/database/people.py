@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, RowMapping, delete, insert, select, update
+from sqlalchemy import ColumnElement, Connection, RowMapping, delete, func, insert, or_, select, update
 
 from server.database.audit import note, noting
 from server.database.connections import Connections
@@ -107,6 +107,24 @@ class People:
         """Tell whether somebody administers this server."""
         return await self._one(persons.c.role == "administrator") is not None
 
+    async def find(self, text: str, skip: int, most: int) -> Sequence[Person]:
+        """List people by name whose login begins so, or whose name holds it; all for an empty text."""
+        query = select(persons).where(_called(text)).order_by(persons.c.name, persons.c.id).offset(skip).limit(most)
+        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
+        return [person_of(row) for row in rows]
+
+    async def set_role(self, number: str, role: str, entry: Entry) -> bool:
+        """Give a person another role on the server; False where there is no such person."""
+        return await self._change(persons.c.id == number, entry, role=role)
+
+    async def set_active(self, number: str, active: bool, entry: Entry) -> bool:
+        """Let a person sign in, or not; False where there is no such person."""
+        return await self._change(persons.c.id == number, entry, active=active)
+
+    async def end_all(self, number: str, now: datetime, entry: Entry) -> None:
+        """End all sessions, tokens and unused links of a person."""
+        await self._connections.write(noting(lambda connection: _end_all(connection, number, now), entry))
+
     async def keep_token(self, token: Token, entry: Entry | None = None) -> None:
         """Store a token."""
         values = {column.name: getattr(token, column.name) for column in api_tokens.columns}
@@ -132,9 +150,9 @@ class People:
     async def _one(self, which: ColumnElement[bool]) -> Person | None:
         return await self._connections.read(lambda connection: _person(connection, which))
 
-    async def _change(self, which: ColumnElement[bool], **values: Any) -> bool:
+    async def _change(self, which: ColumnElement[bool], entry: Entry | None = None, **values: Any) -> bool:
         change = update(persons).where(which).values(**values)
-        return await self._connections.write(lambda connection: connection.execute(change).rowcount == 1)
+        return await self._connections.write(noting(lambda connection: connection.execute(change).rowcount == 1, entry))
 
 
 def add_person(connection: Connection, person: Person) -> bool:
@@ -198,6 +216,21 @@ def _claim(connection: Connection, number: str, course: str, password: str, now:
     connection.execute(update(memberships).where(*mine).values(claimed=now))
     _note_everywhere(connection, Entry(number, Action.PLACE_CLAIMED, number, course))
     return True
+
+
+def _called(text: str) -> ColumnElement[bool]:
+    """A name may be typed in small letters: lower() of SQLite knows ASCII alone, so the capital is tried besides."""
+    said = " ".join(text.split())
+    names = (persons.c.name.contains(one, autoescape=True) for one in (said, said.title()))
+    low = func.lower(persons.c.name).contains(said.lower(), autoescape=True)
+    return or_(persons.c.login.startswith(said.casefold(), autoescape=True), low, *names)
+
+
+def _end_all(connection: Connection, number: str, now: datetime) -> None:
+    connection.execute(delete(sessions).where(sessions.c.person == number))
+    theirs = api_tokens.c.person == number, api_tokens.c.revoked.is_(None)
+    connection.execute(update(api_tokens).where(*theirs).values(revoked=now))
+    connection.execute(delete(links).where(links.c.person == number, links.c.used.is_(None)))
 
 
 def _unclaim(connection: Connection, number: str) -> None:

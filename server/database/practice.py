@@ -33,6 +33,11 @@ VARIANT = (
     .outerjoin(deck, deck.c.variant == variants.c.id)
     .where(variants.c.id == bindparam("number"))
 )
+MARKED: Select[Any] = (
+    select(submissions, grades.c.grade, grades.c.counted, grades.c.grader_version, deck.c.code)
+    .join(grades)
+    .outerjoin(deck, deck.c.variant == submissions.c.variant)
+)
 TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
 
 
@@ -61,7 +66,7 @@ class Practice:
 
     async def submission(self, receipt: str) -> Marked | None:
         """Give a submission with its newest grade."""
-        query = _marked().where(submissions.c.receipt == receipt).order_by(grades.c.id.desc())
+        query = MARKED.where(submissions.c.receipt == receipt).order_by(grades.c.id.desc())
         return await self._connections.read(lambda connection: _one(connection, query))
 
     async def keyed(self, owner: str, variant: str, key: str, body: str) -> Marked | None:
@@ -71,7 +76,7 @@ class Practice:
     async def latest(self, variant: str) -> Marked | None:
         """Give the last submission to a variant."""
         newest = submissions.c.time.desc(), submissions.c.receipt, grades.c.id.desc()
-        query = _marked().where(submissions.c.variant == variant).order_by(*newest)
+        query = MARKED.where(submissions.c.variant == variant).order_by(*newest)
         return await self._connections.read(lambda connection: _one(connection, query))
 
     async def counted(self, variant: str) -> bool:
@@ -174,7 +179,7 @@ def _first(connection: Connection, handed: Handed) -> Marked:
 
 def _keyed(connection: Connection, owner: str, variant: str, key: str | None, body: str) -> Marked | None:
     mine = submissions.c.owner == owner, submissions.c.variant == variant, submissions.c.key == key
-    found = _one(connection, _marked().where(*mine).order_by(grades.c.id))
+    found = _one(connection, MARKED.where(*mine).order_by(grades.c.id))
     if found is not None and found.handed.body != body:
         raise KeyReused(key)
     return found
@@ -195,15 +200,13 @@ def _purge(connection: Connection, before: datetime) -> int:
     return gone
 
 
-def _marked() -> Select[Any]:
-    given = grades.c.grade, grades.c.counted, grades.c.grader_version, deck.c.code
-    return select(submissions, *given).join(grades).outerjoin(deck, deck.c.variant == submissions.c.variant)
-
-
 def _one(connection: Connection, query: Select[Any]) -> Marked | None:
     row = connection.execute(query.limit(1)).first()
-    if row is None:
-        return None
+    return None if row is None else marked_of(row)
+
+
+def marked_of(row: Row[Any]) -> Marked:
+    """Make a submission with its grade of a row of `MARKED`."""
     values = row._mapping
     handed = Handed(**{column.name: values[column.name] for column in submissions.columns})
     return Marked(handed, values["grade"], values["counted"], values["grader_version"], values["code"])

@@ -21,6 +21,7 @@ class Person:
         role: On the whole server: student, lecturer or administrator.
         password: Its hash; none before the first link is used.
         issuer: Who else vouches for this person (OpenID Connect), and under which name.
+        erased: When the person was erased; from then the name is the number.
     """
 
     id: str
@@ -34,6 +35,7 @@ class Person:
     active: bool = True
     issuer: str | None = None
     subject: str | None = None
+    erased: datetime | None = None
 
     @property
     def signed_up(self) -> bool:
@@ -161,6 +163,22 @@ class People(Protocol):
 
     async def has_administrator(self) -> bool:
         """Tell whether somebody administers this server."""
+        ...
+
+    async def find(self, text: str, skip: int, most: int) -> Sequence[Person]:
+        """List people by name whose login begins so, or whose name holds it; all for an empty text."""
+        ...
+
+    async def set_role(self, number: str, role: str, entry: Entry) -> bool:
+        """Give a person another role on the server; False where there is no such person."""
+        ...
+
+    async def set_active(self, number: str, active: bool, entry: Entry) -> bool:
+        """Let a person sign in, or not; False where there is no such person."""
+        ...
+
+    async def end_all(self, number: str, now: datetime, entry: Entry) -> None:
+        """End all sessions, tokens and unused links of a person."""
         ...
 
     async def keep_token(self, token: Token, entry: Entry | None = None) -> None:

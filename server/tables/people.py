@@ -19,6 +19,7 @@ persons = Table(
     Column("issuer", String(200)),  # OpenID Connect
     Column("subject", String(200)),
     Column("created", Moment, nullable=False),
+    Column("erased", Moment),  # from then only a number is left
     UniqueConstraint("issuer", "subject"),
 )  # fmt: skip
 

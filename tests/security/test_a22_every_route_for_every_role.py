@@ -127,7 +127,7 @@ def test_nobody_else_ends_what_is_the_student_s(school: School, values: dict[str
     made = school.browser("student").post("/api/v1/tokens", json={"name": "ci"}).json()["id"]
     mine = made if kind == "token" else school.browser("student").get("/api/v1/sessions").json()[0]["id"]
     for who in NAMES:
-        if who != "student":
+        if who not in ("student", "leaver"):  # the administrator has erased the leaver by now
             assert school.browser(who).delete(f"/api/v1/{kind}s/{mine}").json()["error"]["code"] == f"unknown_{kind}"
             assert school.browser(who).post(f"/account/{kind}s/{mine}").status_code == 404
     assert school.browser("student").delete(f"/api/v1/{kind}s/{mine}").status_code == 204

@@ -5,13 +5,18 @@ from __future__ import annotations
 import asyncio
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import pytest
+from sqlalchemy import update
+from sqlalchemy.exc import DBAPIError
 
 from server.database import Database
 from server.storage import Dealt, Draft, Handed, Marked, Owner, Problem
+from server.storage.audit import Action, Entry
 from server.storage.courses import Course, Group, Row
 from server.storage.people import Link, Person, Session, Token
+from server.tables import persons, submissions
 
 NOW = datetime(2026, 11, 28, 9, 0, tzinfo=UTC)
 LATER = NOW + timedelta(days=1)
@@ -212,3 +217,52 @@ def test_what_is_written_around_practice_taken_over_outlives_its_first_owner(kep
         return [gone, [draft is not None for draft in drafts], problems]
 
     assert asyncio.run(taken()) == [1, [True, False], [] if settled else ["P1"]]
+
+
+@pytest.mark.parametrize("change", [{"answers": {"l3": ""}, "key": None}, {"time": LATER}, {"owner": BORIS.id}])
+def test_only_the_answers_of_somebody_erased_may_go(kept: Database, change: dict[str, Any]) -> None:
+    """A person is erased alike in both stores; before that, and in all else, a submission never changes."""
+    variant = Dealt("VVVV-VVVV-VVVV", Owner(ANNA.id, anonymous=False), "slider_crank", 1, 7, {}, NOW, NOW)
+    handed = Handed("RRRR-RRRR-RRRR", variant.id, ANNA.id, {"l3": "1"}, NOW, "k", "b", "d", "pl")
+    alter = update(submissions).where(submissions.c.receipt == handed.receipt).values(**change)
+
+    async def altered() -> bool:
+        try:
+            await kept._connections.write(lambda connection: connection.execute(alter).rowcount)
+        except DBAPIError:
+            return False
+        return True
+
+    async def tries() -> list[object]:
+        await kept.practice.keep_variant(variant)
+        await kept.practice.keep_submission(Marked(handed, {}, True, "1"))
+        before = await altered()
+        erased = update(persons).where(persons.c.id == ANNA.id).values(erased=NOW)
+        await kept._connections.write(lambda connection: connection.execute(erased).rowcount)
+        return [before, await altered()]
+
+    assert asyncio.run(tries()) == [False, "key" in change]
+
+
+def test_a_person_is_erased_with_all_practice(kept: Database) -> None:
+    variant = Dealt("VVVV-VVVV-VVVV", Owner(ANNA.id, anonymous=False), "slider_crank", 1, 7, {}, NOW, NOW)
+    handed = Handed("RRRR-RRRR-RRRR", variant.id, ANNA.id, {"l3": "1"}, NOW, "k", "b", "d", "pl")
+    entry = Entry("server", Action.PERSON_ERASED, ANNA.id)
+
+    async def erased() -> list[object]:
+        await kept.practice.keep_variant(variant)
+        await kept.practice.keep_submission(Marked(handed, {}, True, "1"))
+        await kept.practice.keep_draft(Draft(variant.id, {"l3": "1"}, NOW, 1))
+        await kept.practice.keep_problem(Problem("P1", variant.id, ANNA.id, "x", NOW), 9)
+        await kept.people.keep_links([Link("l" * 64, "reset", ANNA.id, None, NOW, LATER)])
+        done = [
+            await kept.personal.erase(number, lambda answers, grade: (answers, grade), entry)
+            for number in (ANNA.id, "NONE")
+        ]
+        left = await kept.personal.kept(ANNA.id)
+        assert left is not None
+        acts = [line.entry.action.value for line in left.acts]
+        return [done, left.person["name"], left.variants, left.drafts, left.problems, acts]
+
+    expected = [[True, False], ANNA.id, [], [], [], ["link_made", "person_erased"]]
+    assert asyncio.run(erased()) == expected
