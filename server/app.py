@@ -51,6 +51,7 @@ from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
 from server.judging import Judging, JudgingThread
 from server.limits import Limiter
+from server.marks import api as marks
 from server.passwords import Passwords
 from server.reader import admit
 from server.sets import api as task_sets
@@ -94,6 +95,7 @@ ROUTERS = (
     set_pages.router,
     jobs.router,
     job_pages.router,
+    marks.router,
 )
 log = logging.getLogger("grubler")
 
@@ -151,7 +153,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     engine = Engine(bureau, SERVER, settings.workers or 1)
     app.state.bench = Bench(
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
-        passwords, database.sets, database.audit, database.jobs, engine, database.personal,
+        passwords, database.sets, database.audit, database.jobs, engine, database.personal, database.marks,
     )  # fmt: skip
     await _purge(database.practice)
     purging = asyncio.create_task(_purge_daily(database.practice))

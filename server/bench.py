@@ -17,6 +17,7 @@ from server.storage import Storage
 from server.storage.audit import Audit
 from server.storage.courses import Courses
 from server.storage.jobs import Jobs
+from server.storage.marks import Marks
 from server.storage.people import People
 from server.storage.personal import Personal
 from server.storage.sets import Sets
@@ -40,6 +41,7 @@ class Bench:
     jobs: Jobs
     engine: Engine
     personal: Personal
+    marks: Marks
 
 
 async def bench(request: Request) -> Bench:

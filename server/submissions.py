@@ -16,12 +16,13 @@ from graders.words import message
 from server import ids, receipts
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
+from server.marks import counting
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit
 from server.receipts import GRADE, whole
 from server.sets import handing
 from server.storage import Answers, Dealt, Marked
-from server.storage.sets import Place
+from server.storage.sets import Line, Place
 from server.typed import Typed
 from server.variants import GONE, restored, sees, visible
 
@@ -51,6 +52,15 @@ class Judged(BaseModel):
     entries: list[tuple[int, int]]
 
 
+class ByHand(BaseModel):
+    """What a lecturer says of one answer or of the whole: its share of the points, and why."""
+
+    answer: str | None
+    share: float | None
+    comment: str
+    time: datetime
+
+
 class Receipt(BaseModel):
     """The proof that the answers are stored."""
 
@@ -75,6 +85,7 @@ class Graded(BaseModel):
     needs_regrade: bool
     verdicts: dict[str, Judged]
     hints: list[str]
+    by_hand: list[ByHand]
     receipt: Receipt
     variant: str
     answers: dict[str, str | list[str]]
@@ -180,19 +191,29 @@ async def graded(bench: Bench, marked: Marked, language: str, *, staff: bool = F
     hinted = not held and (place is None or staff or handing.rules_of(place.task_set).hints)
     dealt = await bench.storage.variant(handed.variant) if hinted and (grade.mistake or grade.slip) else None
     verdicts = {name: one for name, one in grade.verdicts.items() if not held or one.code is Code.UNREADABLE}
+    marks = await bench.marks.on(handed.receipt) if place is not None and not held else ()
+    line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted, None)
+    given = counting.by_submission(marks).get(handed.receipt, counting.NONE)
     return Graded(
-        score=None if held else grade.score,
+        score=None if held else _score(place, line, given),
         counted=marked.counted,
         repeated=grade.counted and not marked.counted,
-        provisional=grade.provisional and not held,
+        provisional=not held and bool(counting.left_open(line, given)),
         held=held,
         needs_regrade=place is not None and not await bench.judging.run(handing.reproduced, place.card),
         verdicts={name: judged(verdict, language) for name, verdict in verdicts.items()},
         hints=list(presenting.hints(restored(dealt), grade, language)) if dealt else [],
+        by_hand=[ByHand(answer=one.answer, share=one.share, comment=one.comment, time=one.time) for one in marks],
         receipt=Receipt(id=handed.receipt, time=handed.time, digest=handed.digest),
         variant=handed.variant,
         answers=dict(handed.answers),
     )
+
+
+def _score(place: Place | None, line: Line, given: counting.Given) -> float:
+    if place is None:
+        return float(line.grade["score"])
+    return counting.earned(line, given, handing.weights_of(place.card), handing.rules_of(place.task_set))
 
 
 def judged(verdict: Verdict, language: str) -> Judged:

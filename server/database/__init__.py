@@ -6,6 +6,7 @@ from server.database.audit import Audit
 from server.database.connections import Connections
 from server.database.courses import Courses
 from server.database.jobs import Jobs
+from server.database.marks import Marks
 from server.database.people import People
 from server.database.personal import Personal
 from server.database.practice import Practice
@@ -23,6 +24,7 @@ class Database:
         self.audit = Audit(self._connections)
         self.practice = Practice(self._connections)
         self.sets = Sets(self._connections)
+        self.marks = Marks(self._connections)
         self.people = People(self._connections)
         self.personal = Personal(self._connections)
         self.courses = Courses(self._connections)

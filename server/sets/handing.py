@@ -134,8 +134,12 @@ async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bo
     sound = await bench.judging.run(reproduced, place.card)
     kept = () if sound else verifying.kept(place.card.reference)
     grade = await bench.judging.grade(submission, bench.secret, limited=limited, kept=kept)
-    weights = {name: field["weight"] for name, field in next(iter(place.card.shown.values()))["answers"].items()}
-    return replace(grade, score=share(grade.verdicts, weights, rules_of(place.task_set)))
+    return replace(grade, score=share(grade.verdicts, weights_of(place.card), rules_of(place.task_set)))
+
+
+def weights_of(card: Card) -> dict[str, float]:
+    """Give the weights of the answers of a card."""
+    return {name: field["weight"] for name, field in next(iter(card.shown.values()))["answers"].items()}
 
 
 def reproduced(card: Card) -> bool:

@@ -129,23 +129,31 @@ def _earned(verdict: Verdict, rules: Rules) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A line of the ledger: a submission, what share it earned, and whether it used up an attempt."""
+    """A line of the ledger: a submission, what share it earned, whether it used up an attempt, and whether the lecturer
+    has settled it."""
 
     receipt: str
     time: datetime
     share: float
     counted: bool
+    settled: bool = False
 
 
 def result(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> float | None:
-    """Give the share of a slot's points that its ledger earns; None where nothing was judged.
+    """Give the share of a slot's points that its ledger earns; None where nothing was judged."""
+    entry = kept(ledger, due, rules)
+    return None if entry is None else round(entry.share * worth(entry.time, due, rules), PLACES)
 
-    A submission that did not count earns too once the lecturer has settled it.
+
+def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry | None:
+    """Give the submission that earns a slot its points; None where nothing was judged.
+
+    One that did not count earns too once the lecturer has settled it.
     """
-    shares = [entry.share * worth(entry.time, due, rules) for entry in ledger if entry.counted or entry.share > 0]
-    if not shares:
-        return None
-    return round(max(shares) if rules.keep == "best" else shares[-1], PLACES)
+    judged = [entry for entry in ledger if entry.counted or entry.settled or entry.share > 0]
+    if not judged or rules.keep == "last":
+        return judged[-1] if judged else None
+    return max(judged, key=lambda entry: entry.share * worth(entry.time, due, rules))
 
 
 def left(attempts: int | None, counted: int) -> int | None:

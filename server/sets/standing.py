@@ -9,10 +9,11 @@ from functools import partial
 from typing import Any
 
 from server.bench import Bench
+from server.marks.counting import by_submission, entries
 from server.sets import clock
 from server.sets.handing import faulty, rules_of, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
-from server.storage.sets import Card, Line, Slot, TaskSet
+from server.storage.sets import Card, Slot, TaskSet
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,23 +79,24 @@ class Standing:
 async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> Standing:
     """Tell how a student stands."""
     lines = await bench.sets.ledger(task_set.id, person)
+    marks = await bench.marks.of(task_set.id, person)
+    weights = await bench.marks.weights(task_set.id, person) if marks else {}
     dealt = [card for card in await bench.sets.cards(task_set.id, person) if card.variant]
     extra, begun = await bench.sets.extra(task_set.id, person), await bench.sets.begun(task_set.id, person)
     rules, found = rules_of(task_set), window_of(task_set, extra, begun)
     stage = found.stage(now)
-    tasks = tuple(_task(slot, dealt, lines, found, rules) for slot in task_set.slots)
+    ledger = entries(lines, by_submission(marks), weights, rules)
+    tasks = tuple(
+        _task(slot, dealt, [one for one, line in zip(ledger, lines, strict=True) if line.slot == slot.id], found, rules)
+        for slot in task_set.slots
+    )
     return Standing(task_set, rules, found, stage, held(rules, stage), tasks)
 
 
-def _task(slot: Slot, dealt: list[Card], lines: Sequence[Line], found: Window, rules: Rules) -> Task:
-    ledger = tuple(_entry(line) for line in lines if line.slot == slot.id)
+def _task(slot: Slot, dealt: list[Card], ledger: Sequence[Entry], found: Window, rules: Rules) -> Task:
     card = next((card for card in reversed(dealt) if card.slot == slot.id), None)
     counted = sum(entry.counted for entry in ledger)
-    return Task(slot, card, ledger, result(ledger, found.due, rules), left(slot.attempts, counted))
-
-
-def _entry(line: Line) -> Entry:
-    return Entry(line.receipt, line.time, line.grade["score"], line.counted)
+    return Task(slot, card, tuple(ledger), result(ledger, found.due, rules), left(slot.attempts, counted))
 
 
 async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> float:

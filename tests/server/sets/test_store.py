@@ -14,6 +14,7 @@ from server.database import Database
 from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
+from server.storage.marks import Mark, Progress
 from server.storage.sets import Card, NoAttemptLeft, NotADraft, Slot, TaskSet
 from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol
 
@@ -217,3 +218,26 @@ def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
     assert (found.variant, found.person, found.answers) == (dealt.variant, "anna", {"l3": "2"})
     school.keep(dealt, f"{dealt.id} 2", 2, time=NOW + timedelta(minutes=2))
     assert asyncio.run(school.one.sets.waiting()) == []
+
+
+def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: School) -> None:
+    new = school.draft()
+    weighted = {"en": {"answers": {"l3": {"weight": 2.0}, "v3": {"weight": 1.0}}}}
+    cards = [replace(card(of, 1, "anna"), shown=weighted) for of in new.slots]
+    asyncio.run(school.one.sets.publish(new.id, 1, cards, NOW))
+    mine = school.opened(new.slots[0], "anna")
+    school.opened(new.slots[1], "anna")
+    for at in (1, 2):
+        school.keep(mine, f"{new.id} {at}", None, time=NOW + timedelta(minutes=at))
+    assert asyncio.run(school.one.marks.weights(new.id)) == {}
+    given = [Mark(f"{new.id} 1", answer, 0.5, "why", "lecturer", NOW) for answer in ("l3", None)]
+    asyncio.run(school.one.marks.give(given))
+    found = asyncio.run(school.one.marks.of(new.id))
+    assert [replace(one, number=0) for one in found] == given and found[0].number < found[1].number
+    assert asyncio.run(school.one.marks.of(new.id, "bob")) == []
+    assert asyncio.run(school.one.marks.on(f"{new.id} 1")) == found
+    assert asyncio.run(school.one.marks.weights(new.id, "anna")) == {mine.variant: {"l3": 2.0, "v3": 1.0}}
+    (far,) = asyncio.run(school.one.marks.progress(new.id))
+    assert far == Progress("anna", 2, 1, 2, NOW + timedelta(minutes=2))
+    assert [one.receipt for one in asyncio.run(school.one.marks.handed(new.id))] == [f"{new.id} 1", f"{new.id} 2"]
+    assert [one.slot for one in asyncio.run(school.one.marks.dealt(new.id))] == [of.id for of in new.slots]

@@ -1,0 +1,91 @@
+"""Marks by hand in the database, and what a gradebook is made of: a few queries, however large the class."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from sqlalchemy import Select, func, insert, select
+
+from server.database.audit import noting
+from server.database.connections import Connections
+from server.language import DEFAULT
+from server.storage import Draft, Handed
+from server.storage.audit import Entry
+from server.storage.marks import DealtCard, Mark, Progress
+from server.tables import deck, drafts, marks, slots, submissions
+
+CARD = (
+    deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,
+    deck.c.turn, deck.c.dealt,
+)  # fmt: skip
+
+
+class Marks:
+    """The marks by hand of one store."""
+
+    def __init__(self, connections: Connections) -> None:
+        self._connections = connections
+
+    async def give(self, given: Sequence[Mark], entry: Entry | None = None) -> None:
+        """Store marks together."""
+        rows = [{c.name: getattr(mark, c.name) for c in marks.columns if c.name != "id"} for mark in given]
+        await self._connections.write(noting(lambda connection: connection.execute(insert(marks), rows), entry))
+
+    async def of(self, task_set: str, person: str | None = None) -> Sequence[Mark]:
+        """List the marks in a set in the order given, of all students or one."""
+        query = select(marks).join(submissions).join(deck, deck.c.variant == submissions.c.variant)
+        return [_mark(row) for row in await self._rows(_within(query, task_set, person).order_by(marks.c.id))]
+
+    async def on(self, receipt: str) -> Sequence[Mark]:
+        """List the marks on a submission in the order given."""
+        query = select(marks).where(marks.c.submission == receipt).order_by(marks.c.id)
+        return [_mark(row) for row in await self._rows(query)]
+
+    async def weights(self, task_set: str, person: str | None = None) -> Mapping[str, Mapping[str, float]]:
+        """Give the weights of the answers of those variants in a set of which some answer is marked."""
+        marked = select(submissions.c.variant).join(marks).where(marks.c.answer.is_not(None))
+        query = select(deck.c.variant, deck.c.shown[DEFAULT, "answers"].label("answers"))
+        rows = await self._rows(_within(query, task_set, person).where(deck.c.variant.in_(marked)))
+        return {row["variant"]: {n: field["weight"] for n, field in row["answers"].items()} for row in rows}
+
+    async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
+        """List the cards that were opened in a set, by slot and turn."""
+        query = _within(select(*CARD), task_set, person).where(deck.c.variant.is_not(None))
+        return [DealtCard(**row) for row in await self._rows(query.order_by(slots.c.number, deck.c.turn))]
+
+    async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
+        """List what was handed in to a set in the order received."""
+        query = _within(select(submissions).join(deck, deck.c.variant == submissions.c.variant), task_set, person)
+        return [Handed(**row) for row in await self._rows(query.order_by(submissions.c.time, submissions.c.receipt))]
+
+    async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:
+        """List the drafts of a student in a set."""
+        query = _within(select(drafts).join(deck, deck.c.variant == drafts.c.variant), task_set, person)
+        return [Draft(**row) for row in await self._rows(query)]
+
+    async def progress(self, task_set: str) -> Sequence[Progress]:
+        """Tell how far the students are that have opened a set."""
+        query = select(
+            deck.c.person,
+            func.count(deck.c.slot.distinct()).label("opened"),
+            func.count(deck.c.slot.distinct()).filter(submissions.c.receipt.is_not(None)).label("answered"),
+            func.count(submissions.c.receipt).label("submissions"),
+            func.max(submissions.c.time).label("last"),
+        ).outerjoin(submissions, submissions.c.variant == deck.c.variant)
+        opened = _within(query, task_set, None).where(deck.c.variant.is_not(None)).group_by(deck.c.person)
+        return [Progress(**row) for row in await self._rows(opened)]
+
+    async def _rows(self, query: Select[Any]) -> Sequence[Mapping[str, Any]]:
+        return await self._connections.read(
+            lambda connection: [dict(row) for row in connection.execute(query).mappings()]
+        )
+
+
+def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
+    found = query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
+    return found if person is None else found.where(deck.c.person == person)
+
+
+def _mark(row: Mapping[str, Any]) -> Mark:
+    return Mark(**{name: value for name, value in row.items() if name != "id"}, number=row["id"])

@@ -1,0 +1,75 @@
+"""The gradebook for programs: marks of a set and of a course, progress, a student's work, marks by hand."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Depends
+
+from server.bench import Tools
+from server.courses import HERE
+from server.marks import giving, gradebook
+from server.marks.giving import NewMark, Settling
+from server.marks.history import history
+from server.marks.shapes import (
+    CourseGradebook,
+    SetProgress,
+    Settled,
+    ShownGradebook,
+    ShownHistory,
+    ShownLeft,
+    ShownMark,
+    course_gradebook,
+    set_progress,
+    shown_gradebook,
+    shown_history,
+    shown_left,
+    shown_mark,
+)
+from server.reader import Asking, admit
+from server.sets.api import set_of
+
+router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["marks"])
+
+
+@router.get("/task-sets/{task_set}/gradebook", responses=HERE)
+async def show_gradebook(task_set: str, bench: Tools, reader: Asking) -> ShownGradebook:
+    """Give the points of all students in a set, as the rules of the set and the marks by hand have them."""
+    return shown_gradebook(await gradebook.gradebook(bench, await set_of(bench, reader, task_set)))
+
+
+@router.get("/courses/{course}/gradebook", responses=HERE)
+async def show_course_gradebook(course: str, bench: Tools) -> CourseGradebook:
+    """Give the points of all students in the published sets of a course, the oldest set first."""
+    return course_gradebook(await gradebook.of_course(bench, course))
+
+
+@router.get("/task-sets/{task_set}/progress", responses=HERE)
+async def show_progress(task_set: str, bench: Tools, reader: Asking) -> SetProgress:
+    """Tell how far the class is: two light queries, made to be asked again and again."""
+    found = await set_of(bench, reader, task_set)
+    here = set(await bench.sets.students(found.course))
+    each = [one for one in await bench.marks.progress(found.id) if one.person in here]
+    return set_progress(each, len(here), len(found.slots))
+
+
+@router.get("/task-sets/{task_set}/students/{person}", responses=HERE)
+async def show_history(task_set: str, person: str, bench: Tools, reader: Asking) -> ShownHistory:
+    """Give all of a student's work in a set: what was shown, typed, judged and marked."""
+    return shown_history(await history(bench, await set_of(bench, reader, task_set), person))
+
+
+@router.post("/task-sets/{task_set}/marks", status_code=201, responses=HERE)
+async def give_mark(task_set: str, body: NewMark, bench: Tools, reader: Asking) -> ShownMark:
+    """Mark a submission by hand, or comment on it. The mark stays whatever is graded again later."""
+    return shown_mark(await giving.give(bench, reader, await set_of(bench, reader, task_set), body))
+
+
+@router.get("/task-sets/{task_set}/open-answers", responses=HERE)
+async def list_open_answers(task_set: str, bench: Tools, reader: Asking) -> list[ShownLeft]:
+    """List the answers that the judges have left to the lecturer, equal texts together."""
+    return [shown_left(one) for one in await giving.waiting(bench, await set_of(bench, reader, task_set))]
+
+
+@router.post("/task-sets/{task_set}/open-answers", responses=HERE)
+async def settle_open_answer(task_set: str, body: Settling, bench: Tools, reader: Asking) -> Settled:
+    """Settle an open answer for all who typed it like this."""
+    return Settled(submissions=await giving.settle(bench, reader, await set_of(bench, reader, task_set), body))

@@ -1,0 +1,217 @@
+"""The gradebook of a set and of a course: students by group, tasks in columns, all of it computed from the ledger."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from graders import Code
+from server.bench import Bench
+from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
+from server.sets.handing import rules_of
+from server.sets.rules import Rules, Window, combined, kept, result, window
+from server.storage.courses import Member
+from server.storage.marks import DealtCard
+from server.storage.sets import Line, Slot, TaskSet
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """A task of a student.
+
+    Attributes:
+        card: The card as it was opened last; none before the first open.
+        handed: How many submissions there are.
+        counted: How many attempts are used up.
+        share: The share of the points earned; none where nothing was judged.
+        points: The points earned.
+        receipt: The submission that gives the points.
+        late: Whether that came after the due moment of this student.
+        by_hand: Whether a mark by hand decides over it.
+        open: What the lecturer has still to settle: undecided, fault, or none of them.
+    """
+
+    slot: Slot
+    card: DealtCard | None
+    handed: int
+    counted: int
+    share: float | None
+    points: float
+    receipt: str | None
+    late: bool
+    by_hand: bool
+    open: str | None
+
+    @property
+    def provisional(self) -> bool:
+        """Whether the points can still change by what the lecturer settles."""
+        return self.open is not None
+
+    @property
+    def state(self) -> str:
+        """The state at a glance: an outcome, `unreadable` for work without a judged answer, or `open` for no work."""
+        if self.open is not None:
+            return self.open
+        if self.share is None:
+            return "unreadable" if self.handed else "open"
+        return "right" if self.share >= 1 else "partly" if self.share > 0 else "wrong"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A student in a set; `share` is weighed with the first chance where the set is a second one."""
+
+    member: Member
+    group: str
+    cells: tuple[Cell, ...]
+    window: Window
+    begun: datetime | None
+    extra: int
+    share: float
+
+    @property
+    def points(self) -> float:
+        """The points earned so far."""
+        return round(sum(cell.points for cell in self.cells), 3)
+
+    @property
+    def provisional(self) -> bool:
+        """Whether the points can still change by what the lecturer settles."""
+        return any(cell.provisional for cell in self.cells)
+
+    @property
+    def taken(self) -> bool:
+        """Whether anything was judged."""
+        return any(cell.share is not None for cell in self.cells)
+
+
+@dataclass(frozen=True, slots=True)
+class Gradebook:
+    """The students of a set by group and name."""
+
+    task_set: TaskSet
+    rows: tuple[Row, ...]
+
+    @property
+    def worth(self) -> float:
+        """The points of the whole set."""
+        return sum(slot.points for slot in self.task_set.slots)
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """What a gradebook is computed from, as the store gives it."""
+
+    task_set: TaskSet
+    students: Sequence[tuple[Member, str]]
+    lines: Sequence[Line]
+    dealt: Sequence[DealtCard]
+    extra: Mapping[str, tuple[int, str]]
+    marks: Mapping[str, Given]
+    weights: Weights
+
+
+async def gradebook(bench: Bench, task_set: TaskSet) -> Gradebook:
+    """Compute the gradebook of a set."""
+    return await _of(bench, task_set, await students(bench, task_set.course))
+
+
+async def of_course(bench: Bench, course: str) -> list[Gradebook]:
+    """Compute the gradebooks of the published sets of a course, the oldest first."""
+    everybody = await students(bench, course)
+    sets = [one for one in reversed(await bench.sets.of(course)) if one.published]
+    return [await _of(bench, one, everybody) for one in sets]
+
+
+async def students(bench: Bench, course: str) -> list[tuple[Member, str]]:
+    """List the students of a course with the names of their groups, by group and name; without one, last."""
+    names = {group.id: group.name for group in await bench.courses.groups(course)}
+    found = [one for one in await bench.courses.members(course) if one.role == "student"]
+    named = [(one, names.get(one.group or "", "")) for one in found]
+    return sorted(named, key=lambda one: (not one[1], one[1].casefold(), one[0].person.name.casefold()))
+
+
+async def _of(bench: Bench, task_set: TaskSet, everybody: Sequence[tuple[Member, str]]) -> Gradebook:
+    found = await asyncio.to_thread(computed, await material(bench, task_set, everybody))
+    before = rules_of(task_set).second_chance_of
+    first = await bench.sets.task_set(before) if before else None
+    if first is None:
+        return found
+    earlier = await asyncio.to_thread(computed, await material(bench, first, everybody))
+    shares = {row.member.person.id: row.share for row in earlier.rows}
+    return replace(found, rows=tuple(_weighed(row, shares) for row in found.rows))
+
+
+async def material(
+    bench: Bench, task_set: TaskSet, everybody: Sequence[tuple[Member, str]], person: str | None = None
+) -> Material:
+    """Read what a gradebook is computed from, of all students or one."""
+    marks = await bench.marks.of(task_set.id, person)
+    by_answer = any(mark.answer is not None for mark in marks)
+    return Material(
+        task_set, everybody, await bench.sets.ledger(task_set.id, person),
+        await bench.marks.dealt(task_set.id, person),
+        await bench.sets.accommodations(task_set.id), by_submission(marks),
+        await bench.marks.weights(task_set.id, person) if by_answer else {},
+    )  # fmt: skip
+
+
+def computed(found: Material) -> Gradebook:
+    """Compute the rows of a set."""
+    rules = rules_of(found.task_set)
+    lines = _grouped(found.lines)
+    dealt: dict[str, list[DealtCard]] = {}
+    for card in found.dealt:
+        dealt.setdefault(card.person, []).append(card)
+    rows = [
+        _row(found, member, group, dealt.get(member.person.id, []), lines, rules) for member, group in found.students
+    ]
+    return Gradebook(found.task_set, tuple(rows))
+
+
+def _grouped(lines: Iterable[Line]) -> dict[tuple[str, str], list[Line]]:
+    found: dict[tuple[str, str], list[Line]] = {}
+    for line in lines:
+        found.setdefault((line.person, line.slot), []).append(line)
+    return found
+
+
+def _row(
+    found: Material, member: Member, group: str, dealt: Sequence[DealtCard],
+    lines: Mapping[tuple[str, str], list[Line]], rules: Rules,
+) -> Row:  # fmt: skip
+    task_set, person = found.task_set, member.person.id
+    begun = min((card.dealt for card in dealt), default=None)
+    extra = found.extra.get(person, (0, ""))[0]
+    own = window(task_set.opens, task_set.due, task_set.closes, rules, extra=extra, begun=begun)
+    cards = {card.slot: card for card in dealt}
+    cells = tuple(
+        cell(slot, cards.get(slot.id), lines.get((person, slot.id), []), found, own, rules) for slot in task_set.slots
+    )
+    worth = sum(slot.points for slot in task_set.slots)
+    share = sum(one.points for one in cells) / worth if worth else 0.0
+    return Row(member, group, cells, own, begun, extra, round(share, 6))
+
+
+def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Material, own: Window, rules: Rules) -> Cell:
+    """Compute a task of a student."""
+    ledger = entries(lines, found.marks, found.weights, rules)
+    share, best = result(ledger, own.due, rules), kept(ledger, own.due, rules)
+    codes = {
+        line.grade["verdicts"][name]["code"]
+        for line in unsettled(lines, found.marks, best, share, rules)
+        for name in left_open(line, found.marks.get(line.receipt, {}))
+    }
+    state = None if not codes else "fault" if codes == {Code.FAULT.value} else "undecided"
+    return Cell(
+        slot, card, len(lines), sum(line.counted for line in lines), share, round((share or 0.0) * slot.points, 3),
+        best.receipt if best else None, bool(best and own.due and best.time > own.due),
+        bool(best and best.settled), state,
+    )  # fmt: skip
+
+
+def _weighed(row: Row, earlier: Mapping[str, float]) -> Row:
+    first = earlier.get(row.member.person.id, 0.0)
+    return replace(row, share=combined(first, row.share if row.taken else None))
