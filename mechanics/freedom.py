@@ -17,6 +17,7 @@ STEPS = 8  # along a free direction
 PACES = (0.06, 0.006)  # length of a step over the size of the mechanism; the short one where the long one fails
 CLOSED = 1e-11
 ROUNDS = 60
+PATIENCE = 8  # rounds that may pass without halving the gaps
 MIXES = 3
 SHARE = 0.3  # of a step that must be left after closing again, or nothing moved
 
@@ -45,11 +46,22 @@ def freedom(closure: Closure, coordinates: int) -> Freedom:
     if rank == slopes.shape[0] or not free.shape[0]:  # independent constraints: every free direction is a motion
         return Freedom(free.shape[0], free.shape[0], rank)
     for step in PACES:
-        walks = (_walk(closure, direction, coordinates, step) for direction in _directions(free))
-        reached = [found for found in walks if found is not None]
+        reached = _fewest(closure, free, step)
         if reached:
-            return Freedom(free.shape[0], min(reached), rank)
+            return Freedom(free.shape[0], reached, rank)
     return Freedom(free.shape[0], 0, rank)
+
+
+def _fewest(closure: Closure, free: Any, step: float) -> int:
+    """The fewest freedoms at the places that walks reach; 0 where all spring back. What has moved has at least one."""
+    fewest = 0
+    for direction in _directions(free):
+        found = _walk(closure, direction, step)
+        if found is not None and (not fewest or found < fewest):
+            fewest = found
+        if fewest == 1:
+            break
+    return fewest
 
 
 def _directions(free: Any) -> list[Vector]:
@@ -57,6 +69,8 @@ def _directions(free: Any) -> list[Vector]:
     import numpy as np
 
     count = free.shape[0]
+    if count == 1:
+        return [free[0], -free[0]]
     mixes = [np.cos(np.arange(count) * (1 + turn) * 2.399 + turn) for turn in range(min(count, MIXES))]
     chosen = [mix @ free for mix in mixes] + list(free if count <= MIXES else ())
     return [sign * one / np.linalg.norm(one) for one in chosen for sign in (1.0, -1.0)]
@@ -73,11 +87,11 @@ def free_directions(slopes: Any, coordinates: int) -> Any:
     return rows[rank:]
 
 
-def _walk(closure: Closure, direction: Vector, coordinates: int, step: float) -> int | None:
+def _walk(closure: Closure, direction: Vector, step: float) -> int | None:
     """Walk along a free direction; the freedoms at the place reached, or None if the first step springs back."""
     import numpy as np
 
-    at, ahead = np.zeros(coordinates), direction
+    at, ahead = np.zeros(direction.size), direction
     for _ in range(STEPS):
         there = _closed(closure, at + step * ahead)
         if there is None or np.linalg.norm(there - at) < SHARE * step or (there - at) @ ahead < SHARE * step:
@@ -86,16 +100,21 @@ def _walk(closure: Closure, direction: Vector, coordinates: int, step: float) ->
         at = there
     if not np.any(at):
         return None
-    return int(free_directions(closure(at)[1], coordinates).shape[0])
+    return int(free_directions(closure(at)[1], at.size).shape[0])
 
 
 def _closed(closure: Closure, at: Vector) -> Vector | None:
     """Close the gaps by least squares (Gauss-Newton); None if they stay open."""
     import numpy as np
 
+    least, since = float("inf"), 0
     for _ in range(ROUNDS):
         gaps, slopes = closure(at)
-        if not gaps.size or np.max(np.abs(gaps)) < CLOSED:
+        widest = np.max(np.abs(gaps), initial=0.0)
+        if widest < CLOSED:
             return at
+        least, since = (widest, 0) if widest < least / 2 else (least, since + 1)
+        if since > PATIENCE:
+            return None
         at = at - np.linalg.lstsq(slopes, gaps, rcond=1e-9)[0]
     return None
