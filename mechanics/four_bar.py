@@ -98,7 +98,8 @@ def _state(
     """Give AB, then what `dyad.vectors` and `dyad.rates` know of coupler and rocker."""
     _check(l1, l2, l3, l4, alpha1, mode)
     if not abs(omega1) + abs(epsilon1) <= _LARGEST:
-        _refuse(omega1, epsilon1, 0.0, 0.0)
+        finite("omega1", omega1, "rad/s")
+        finite("epsilon1", epsilon1, "rad/s^2")
     x1, y1 = l1 * cos(alpha1), l1 * sin(alpha1)
     at = dyad.vectors(l4 - x1, -y1, l2, l3, mode == "C_left_of_BD", NAMES)
     if abs(at[4]) < dyad.DEAD * l2 * l3:
@@ -122,14 +123,9 @@ def solve(
     """Solve position, velocity and acceleration of coupler, rocker and a point P of the coupler.
 
     Args:
-        l1: Crank length, in metres, positive.
-        l2: Coupler length, in metres, positive.
-        l3: Rocker length, in metres, positive.
-        l4: Distance of the frame pivots, in metres, positive.
-        alpha1: Crank angle, in radians.
+        l1, l2, l3, l4, alpha1, mode: As for `position`.
         omega1: Crank angular velocity, in rad/s.
         epsilon1: Crank angular acceleration, in rad/s^2.
-        mode: The assembly, as for `position`.
         coupler_point: P in the axes of the coupler, in metres: u along BC from B, v to the left of BC.
 
     Returns:
@@ -146,10 +142,27 @@ def solve(
     """
     u, v = coupler_point
     if not abs(u) + abs(v) <= _LARGEST:
-        _refuse(0.0, 0.0, u, v)
-    x1, y1, at, rates = _state(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
-    x2, y2, x3, y3, cross = at
-    omega2, omega3, epsilon2, epsilon3 = rates
+        _refuse_point(u, v)
+    state = _state(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
+    return _with_point(l2, l3, omega1, epsilon1, state, u, v)
+
+
+def _refuse_point(u: float, v: float) -> None:
+    finite("coupler point u", u, "m")
+    finite("coupler point v", v, "m")
+
+
+def _with_point(
+    l2: float,
+    l3: float,
+    omega1: float,
+    epsilon1: float,
+    state: tuple[float, float, dyad.Vectors, dyad.Rates],
+    u: float,
+    v: float,
+) -> LinkageMotion:
+    """Name what is known, and let P ride on the coupler: AP = AB + BP."""
+    x1, y1, (x2, y2, x3, y3, cross), (omega2, omega3, epsilon2, epsilon3) = state
     px, py = (u * x2 - v * y2) / l2, (u * y2 + v * x2) / l2  # BP
     square1, square2 = omega1 * omega1, omega2 * omega2
     return LinkageMotion(
@@ -163,13 +176,6 @@ def solve(
         },
         Singular(min(1.0, abs(cross) / (l2 * l3)), DEAD_NAME),
     )
-
-
-def _refuse(omega1: float, epsilon1: float, u: float, v: float) -> None:
-    finite("omega1", omega1, "rad/s")
-    finite("epsilon1", epsilon1, "rad/s^2")
-    finite("coupler point u", u, "m")
-    finite("coupler point v", v, "m")
 
 
 def crank_turns(l1: float, l2: float, l3: float, l4: float) -> bool:

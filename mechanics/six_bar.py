@@ -37,18 +37,10 @@ def solve(
     """Solve position, velocity and acceleration of all links.
 
     Args:
-        l1: Crank length, in metres, positive.
-        l2: Coupler length, in metres, positive.
-        l3: Rocker length, in metres, positive.
-        l4: Distance of the frame pivots A = (0, 0) and D = (l4, 0), in metres, positive.
-        alpha1: Crank angle, in radians.
+        l1, l2, l3, l4, alpha1, omega1, epsilon1, mode, coupler_point: The four-bar, as for `four_bar.solve`.
         dyad_pivot: The frame pivot G of the dyad, in metres.
         l5: Link PQ, in metres, positive.
         l6: Link GQ, in metres, positive.
-        omega1: Crank angular velocity, in rad/s.
-        epsilon1: Crank angular acceleration, in rad/s^2.
-        mode: The assembly of the four-bar, as for `four_bar.position`.
-        coupler_point: P in the axes of the coupler, in metres, as for `four_bar.solve`.
         dyad_mode: On which side of the way from P to G the joint Q lies.
 
     Returns:
@@ -64,14 +56,19 @@ def solve(
     base = four_bar.solve(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode, coupler_point)
     dx, dy = dyad_pivot[0] - base.pos["P_x"], dyad_pivot[1] - base.pos["P_y"]
     at = dyad.vectors(dx, dy, l5, l6, dyad_mode == "Q_left_of_PG", NAMES)
-    x5, y5, x6, y6, cross = at
-    measure = dyad.measure(cross, l5, l6, f"{DEAD_NAME} at {alpha1:g} rad")
+    measure = dyad.measure(at[4], l5, l6, f"{DEAD_NAME} at {alpha1:g} rad")
+    return _with_dyad(base, dyad_pivot, at, measure)
+
+
+def _with_dyad(base: LinkageMotion, pivot: tuple[float, float], at: dyad.Vectors, measure: float) -> LinkageMotion:
+    """Add the rates of the dyad to the motion of the four-bar, and Q as the end of link 6."""
+    x5, y5, x6, y6, _ = at
     velocity, acceleration = (-base.vel["P_x"], -base.vel["P_y"]), (-base.acc["P_x"], -base.acc["P_y"])
     omega5, omega6, epsilon5, epsilon6 = dyad.rates(at, velocity, acceleration)
     angles = {"alpha5": principal(atan2(y5, x5)), "alpha6": principal(atan2(y6, x6))}
     square = omega6 * omega6
     return LinkageMotion(
-        {**base.pos, **angles, "Q_x": dyad_pivot[0] + x6, "Q_y": dyad_pivot[1] + y6},
+        {**base.pos, **angles, "Q_x": pivot[0] + x6, "Q_y": pivot[1] + y6},
         {**base.vel, "alpha5": omega5, "alpha6": omega6, "Q_x": -omega6 * y6, "Q_y": omega6 * x6},
         {
             **base.acc,
