@@ -12,14 +12,14 @@ from exercises import catalogue, solving
 from exercises.exercise import Grade, Variant
 from exercises.givens import numbers
 from exercises.solving import Solved
-from exercises.words import Printed, Words, fill, html, indexed, inline, plain, printed_unit, with_unit
+from exercises.words import Printed, Words, fill, html, indexed, inline, plain, with_unit
 from figures.picture import Picture
 from graders import Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
 from graders.units import read_unit
-from graders.words import common_hint, decimal, tolerance
+from graders.words import common_hint, decimal, printed_unit, tolerance
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +118,13 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         column_units=tuple(printed_unit(unit, lang) for unit in described.get("units", ())),
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
-        shape=described,
+        shape=_shape(described, lang),
     )
+
+
+def _shape(described: Mapping[str, Any], lang: str) -> Mapping[str, Any]:
+    """Give the description of a field as its editor shows it."""
+    return {**described, **{key: printed_unit(described[key], lang) for key in ("x_unit",) if key in described}}
 
 
 def _symbol(step: str) -> str:

@@ -17,7 +17,7 @@ from typing import Any
 
 from graders.language.commands import LETTERS
 from graders.units import read_unit
-from graders.words import decimal
+from graders.words import decimal, printed_unit
 
 Words = Mapping[str, Any]
 NARROW = "\u202f"  # narrow no-break space between a number and its unit
@@ -40,12 +40,6 @@ SPOKEN = {
     "to": "→", "infty": "∞", "sqrt": "√", "langle": "⟨", "rangle": "⟩", "ldots": "…", "dots": "…", "prime": "′",
     "left": "", "right": "", "quad": " ", "qquad": " ", ",": " ", ";": " ", " ": " ", "!": "", "%": "%",
 }  # fmt: skip
-PRINTED: dict[str, str | dict[str, str]] = {
-    "1": "",
-    "deg": "°",
-    "deg/m": "°/m",
-    "rpm": {"pl": "obr/min", "en": "rpm", "ru": "об/мин"},
-}
 REQUIRED = ("title", "summary", "statement", "answers", "mistakes", "figure", "steps")
 
 
@@ -70,13 +64,6 @@ def read_words(path: Path) -> Words:
 def printed_number(value: float, unit: str, lang: str) -> str:
     """Write a value in a unit, ten figures at most, with the decimal mark of the language."""
     return decimal(value / read_unit(unit or "1").factor, lang, 10)
-
-
-def printed_unit(unit: str, lang: str) -> str:
-    """Write a unit as people of the language read it."""
-    found = PRINTED.get(unit, unit)
-    text = found if isinstance(found, str) else found[lang]
-    return text.replace("*", "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
 
 
 def with_unit(number: str, unit: str, lang: str) -> str:

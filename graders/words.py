@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -16,6 +17,15 @@ from graders.verdict import Branches, Code, Entries, Flaws, Named, Reading, Verd
 LANGUAGES = ("pl", "en", "ru")
 MOST_REMARKS = 3  # read at once
 LOCALES = Path(__file__).parent / "locales"
+UNITS: Mapping[str, Mapping[str, str]] = {
+    "pl": {"deg": "°", "rpm": "obr/min"}, "en": {"deg": "°"},
+    "ru": {
+        "deg": "°", "rpm": "об/мин", "m": "м", "mm": "мм", "cm": "см", "s": "с", "rad": "рад", "N": "Н", "kN": "кН",
+        "MN": "МН", "Pa": "Па", "kPa": "кПа", "MPa": "МПа", "GPa": "ГПа", "kg": "кг", "g": "г", "t": "т", "J": "Дж",
+        "kJ": "кДж", "W": "Вт", "kW": "кВт", "Hz": "Гц", "min": "мин", "h": "ч",
+    },
+}  # fmt: skip
+UNIT_NAME = re.compile("[A-Za-z]+")
 
 
 @lru_cache(maxsize=8)
@@ -67,8 +77,16 @@ def message(verdict: Verdict, lang: str) -> str:
 
 def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:
     place, until = ("" if x is None else decimal(x, lang, 4) for x in (remark.place, remark.until))
-    unit = f"\u202f{remark.unit}" if remark.unit not in ("", "deg") else "°" if remark.unit else ""
+    shown = printed_unit(remark.unit, lang)
+    unit = shown if shown in ("", "°") else f"\u202f{shown}"
     return str(words["slips"][remark.slip.value]).format(place=place + unit, until=until + unit, name=remark.name)
+
+
+def printed_unit(unit: str, lang: str) -> str:
+    """Write a unit as people of the language read it: `kN*m^2` is kN·m², and кН·м² in Russian."""
+    names = UNITS[lang]
+    text = "" if unit == "1" else UNIT_NAME.sub(lambda found: names.get(found[0], found[0]), unit)
+    return text.replace("*", "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
 
 
 def common_hint(slip: CommonSlip, lang: str) -> str:

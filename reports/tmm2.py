@@ -13,10 +13,10 @@ from exercises import catalogue, solving
 from exercises.exercise import Variant
 from exercises.grading import preview
 from exercises.presenting import Presented, presented
-from exercises.words import printed_unit
 from graders import Verdict
 from graders.language.mathml import mathml_of
 from graders.polygon.drawn import Drawn
+from graders.words import printed_unit
 from reports.document import (
     Block,
     Document,

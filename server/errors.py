@@ -128,5 +128,6 @@ def respond(request: Request, error: Refused) -> Response:
 
 
 def wants_page(request: Request) -> bool:
-    """Whether the reader looks at pages, not at JSON."""
-    return not request.url.path.startswith("/api/") and "text/html" in request.headers.get("accept", "")
+    """Whether the reader looks at pages, not at JSON; below /api only one who follows a link to a document does."""
+    below_api = request.url.path.startswith("/api/") and request.headers.get("sec-fetch-mode") != "navigate"
+    return not below_api and "text/html" in request.headers.get("accept", "")

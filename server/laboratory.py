@@ -10,13 +10,13 @@ from typing import Literal, TypeAlias
 from exercises import catalogue
 from exercises.exercise import Variant
 from exercises.givens import numbers
-from exercises.words import printed_unit, with_unit
+from exercises.words import with_unit
 from figures import strip
 from figures.machine import Machine
 from figures.picture import Picture
 from graders.language.mathml import symbol_mathml
 from graders.units import read_unit
-from graders.words import decimal
+from graders.words import decimal, printed_unit
 from reports.tmm2 import read_polygon
 from reports.words import words
 from server.language import part, say
@@ -167,6 +167,7 @@ class Laboratory:
     slides: tuple[Slide, ...]
     strip: Strip | None
     polygon: Picture | None
+    second: str
 
 
 def laboratory(
@@ -197,6 +198,7 @@ def laboratory(
         slides=slides(machine, language),
         strip=None if held else positions(machine, variant, language),
         polygon=own_polygon(variant, typed, found[4].heading),
+        second=printed_unit("s", language),
     )
 
 

@@ -27,6 +27,8 @@ class Rate:
 OWNER = Rate(120, 6)  # one person: a preview after each pause in typing, and many submissions
 NEWCOMERS = Rate(400, 10)  # of one address, without a cookie yet: a class of 60 behind it opens its first pages
 ADDRESS = Rate(3000, 150)  # all of one address: the same class, typing
+DOCUMENTS = Rate(20, 1 / 3)  # of one person: reports and sheets, which are printed for each request
+DOCUMENTS_OF_ADDRESS = Rate(300, 5)  # the same class prints its reports at the end of the lesson
 TRIES = Rate(10, 1 / 30)  # to sign in as one person from one address, or from a browser that knows the person
 TRIES_FROM_ANYWHERE = Rate(60, 1 / 10)  # to sign in as one person from all browsers that do not
 ALL_TRIES = Rate(600, 15)  # of everybody: passwords are work

@@ -15,7 +15,7 @@ from fastapi import Depends, Request, Response
 from server import ids, language, sessions, tokens
 from server.bench import Bench, Tools
 from server.errors import Refused
-from server.limits import ADDRESS, NEWCOMERS, OWNER
+from server.limits import ADDRESS, DOCUMENTS, DOCUMENTS_OF_ADDRESS, NEWCOMERS, OWNER
 from server.policy import POLICIES, CourseRole, InCourse, Role
 from server.storage import Owner
 from server.storage.courses import Course
@@ -25,6 +25,7 @@ COOKIE = "grubler_practice"
 COOKIE_FORM = re.compile(r"[A-Za-z0-9_-]{43}")
 COOKIE_DAYS = 180
 SAFE = ("GET", "HEAD", "OPTIONS")
+PRINTED = ("/api/v1/reports/tmm2/{variant}.{form}", "/api/v1/task-sets/{task_set}/items/{number}/sheets.{form}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +78,7 @@ async def admit(request: Request, bench: Tools) -> Reader:
     reader = await _known(request, bench)
     if reader.role < (Role.STUDENT if isinstance(needed, InCourse) else needed):
         raise Refused(*((401, "token_needed") if reader.role is Role.ANONYMOUS else (403, "forbidden")))
-    if request.method not in SAFE and bench.settings.limited:
+    if bench.settings.limited:
         _take_turn(request, bench, reader.owner)
     if isinstance(needed, InCourse):
         reader = await in_course(bench, reader, needed, request.path_params[needed.by])
@@ -113,10 +114,14 @@ async def _role(bench: Bench, reader: Reader, course: Course) -> CourseRole | No
 
 
 def _take_turn(request: Request, bench: Bench, owner: Owner | None) -> None:
-    """Count a post of its owner and of its address, which behind a proxy is not known."""
-    turns = [(OWNER, owner.id)] if owner else []
+    """Count a post, or a document, of its owner and of its address, which behind a proxy is not known."""
+    printed = request.scope["route"].path in PRINTED
+    if request.method in SAFE and not printed:
+        return
+    own, of_address = (DOCUMENTS, DOCUMENTS_OF_ADDRESS) if printed else (OWNER, ADDRESS)
+    turns = [(own, owner.id)] if owner else []
     if request.client is not None and bench.settings.public_url is None and (owner is None or owner.anonymous):
-        turns += [(ADDRESS, request.client.host)] + ([] if owner else [(NEWCOMERS, request.client.host)])
+        turns += [(of_address, request.client.host)] + ([] if owner else [(NEWCOMERS, request.client.host)])
     seconds = max((bench.limiter.wait(rate, name) for rate, name in turns), default=0)
     if seconds:
         raise Refused(429, "too_many", headers={"Retry-After": str(seconds)}, seconds=seconds)

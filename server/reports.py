@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+from functools import lru_cache
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Depends, Query
 from starlette.responses import Response
 
 from reports import formats
+from reports.document import Document
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused
@@ -24,7 +26,9 @@ Written = Annotated[str, Query(max_length=80)]
 @router.get(
     "/tmm2/{variant}.{form}",
     response_class=Response,
-    responses=GONE | {422: {"model": Failure}} | {200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
+    responses=GONE
+    | {code: {"model": Failure} for code in (422, 429)}
+    | {200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
 )
 async def tmm2_report(
     variant: str, form: Literal["pdf", "docx", "typ", "md"], bench: Tools, reader: Asking,
@@ -38,9 +42,15 @@ async def tmm2_report(
         made = await bench.judging.run(tmm2, restored(dealt), reader.language, person, number, handed)
     except NoReport:
         raise Refused(404, "no_report") from None
-    content = await asyncio.to_thread(formats.written, made, form)
+    content = await asyncio.to_thread(_written, made, form)
     attached = {"Content-Disposition": f'attachment; filename="tmm-2.{form}"'}
     return Response(content, media_type=formats.MEDIA[form], headers=attached)
+
+
+@lru_cache(maxsize=64)
+def _written(document: Document, form: str) -> bytes:
+    """Write a document; one that was just written is at hand still."""
+    return formats.written(document, form)
 
 
 async def _handed(bench: Bench, reader: Reader, dealt: Dealt, receipt: str) -> HandedIn:

@@ -15,10 +15,9 @@ from exercises import grading, presenting
 from exercises import variants as dealing
 from exercises.catalogue import UnknownExercise
 from exercises.exercise import Variant
-from exercises.words import printed_unit
 from graders import Echo, Verdict
 from graders.verdict import Reading
-from graders.words import message, noted
+from graders.words import message, noted, printed_unit
 from server import ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant

@@ -170,7 +170,7 @@ async def copy_course(course: str, body: CopiedCourse, bench: Tools, reader: Ask
 @router.get(
     "/task-sets/{task_set}/items/{number}/sheets.{form}",
     response_class=Response,
-    responses=HERE | {200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
+    responses=HERE | {429: {"model": Failure}, 200: {"content": {kind: {} for kind in formats.MEDIA.values()}}},
 )
 async def print_sheets(
     task_set: str, number: Number, form: Literal["pdf", "docx", "typ", "md"], bench: Tools, reader: Asking,

@@ -10,6 +10,7 @@ import pytest
 from graders import AnswerSyntaxError
 from graders.language import Reason
 from graders.units import TABLE, fits, read_unit, readings
+from graders.words import UNITS, printed_unit
 
 PINT = [
     "m",
@@ -211,3 +212,16 @@ def test_turns_left_out_of_a_speed_are_read_where_turns_are_counted(
     typed: str, expected: str, factors: tuple[float, ...]
 ) -> None:
     assert readings(read_unit(typed), read_unit(expected)) == pytest.approx(factors, rel=1e-12)
+
+
+@pytest.mark.parametrize("lang", UNITS)
+def test_a_printed_unit_is_read_as_the_same_unit(lang: str) -> None:
+    for unit in [*PINT, "rad/s^2", "kN*m^2", "N/mm^2", "deg/m", "rpm"]:
+        printed = printed_unit(unit, lang)
+        assert read_unit(printed) == read_unit(unit), (unit, printed)
+
+
+def test_russian_prints_units_in_its_own_letters() -> None:
+    units = ("mm", "kN*m^2", "rad/s", "MPa", "m/s^2", "1", "1/s")
+    assert [printed_unit(unit, "ru") for unit in units] == ["мм", "кН·м²", "рад/с", "МПа", "м/с²", "", "1/с"]
+    assert [printed_unit(unit, "pl") for unit in units] == ["mm", "kN·m²", "rad/s", "MPa", "m/s²", "", "1/s"]

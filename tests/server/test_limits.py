@@ -74,6 +74,22 @@ def test_a_flood_of_one_person_is_told_when_to_come_back(client: TestClient, dea
     assert client.get(f"/variants/{path.split('/')[4]}").status_code == 200
 
 
+def test_a_flood_of_documents_is_stopped_with_a_countdown_while_other_posts_pass(
+    client: TestClient, deal: Callable[..., str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reader, "DOCUMENTS", Rate(3, 1e-3))
+    path = f"/api/v1/reports/tmm2/{deal('tmm2_oop')}.typ"
+    assert len({client.get(path).content for _ in range(3)}) == 1
+    refused = client.get(path)
+    assert (refused.status_code, refused.json()["error"]["code"]) == (429, "too_many")
+    page = client.get(path, headers={"accept": "text/html", "sec-fetch-mode": "navigate"})
+    assert page.status_code == 429 and f'data-countdown="{page.headers["retry-after"]}"' in page.text
+    assert client.get("/").status_code == 200 and deal()
+    client.cookies.clear()
+    monkeypatch.setattr(reader, "DOCUMENTS_OF_ADDRESS", Rate(2, 1e-3))
+    assert [client.get(path).status_code for _ in range(3)] == [404, 404, 429]
+
+
 def test_strangers_of_one_address_are_limited_together_unless_a_proxy_hides_them(
     settings: Settings, monkeypatch: pytest.MonkeyPatch
 ) -> None:

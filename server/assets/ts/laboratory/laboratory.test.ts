@@ -143,6 +143,7 @@ test("numbers follow the language and sentences take their values", () => {
   assert.equal(new Numbers("pl").shown(-0.5179, 3, "m"), "\u22120,518\u202fm");
   assert.equal(new Numbers("en").shown(-1e-9, 2), "0.00");
   assert.equal(new Numbers("ru").shown(NaN, 2), "\u2013");
+  assert.equal(new Numbers("ru").shown(1, 1, "m/s\u00b2"), "1,0\u202f\u043c/\u0441\u00b2");
   assert.equal(filled("{link}: {own}, {other}", { link: "BC", own: "{link}" }), "BC: {link}, {other}");
   assert.deepEqual([0.4, 12, 1e-3].map((scale) => decimals(scale, 3)), [3, 1, 5]);
 });

@@ -33,7 +33,7 @@ export class Plot {
     this.kind = figure.dataset["plot"] as Kind;
     const drawing = figure.querySelector("svg")!;
     [this.curves, this.mark] = [layer(drawing), layer(drawing)];
-    figure.querySelector("[data-plot-unit]")!.textContent = UNITS[this.kind];
+    figure.querySelector("[data-plot-unit]")!.textContent = numbers.unit(UNITS[this.kind]);
   }
 
   /** Draws both curves of a motion. */
