@@ -13,7 +13,7 @@ from exercises.exercise import Grade, Submission, Variant
 from exercises.solving import NO_SECRET, Kept, Lines, Solved, evaluate
 from exercises.variants import Predictions, misread, modes, slips, unasked
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
-from graders.common_slips import CommonSlip, Slips, agrees, likeliest, slips_of
+from graders.common_slips import CommonSlip, Slips, agrees, is_right, likeliest, slips_of
 from graders.judge import Matrix
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError
@@ -276,7 +276,7 @@ class Seen:
         return _against(self.solved, self.read, name, expected)
 
     def _is(self, name: str, expected: Any) -> bool:
-        return self.solved.answers[name].check(self.given[name], expected).code is Code.RIGHT
+        return is_right(self.solved.answers[name], self.given[name], expected)
 
     def _agrees(self, name: str, value: Value) -> bool:
         return agrees(self.solved.answers[name], self.given[name], value)
@@ -308,7 +308,7 @@ class Seen:
     def common(self, name: str) -> Slips:
         """Give the common slips that make a wrong answer out of the right one, or of what follows from earlier ones."""
         grader, answer, step = self.solved.answers[name], self.given[name], self.solved.step_of(name)
-        found = slips_of(grader, answer, self.judged.expected[name])
+        found = slips_of(grader, answer, self.judged.expected[name], self.judged.verdicts[name].code)
         if grader.symbolic or step not in self.solved.steps:
             return found
         own = self.judged.own.get(name)

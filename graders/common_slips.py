@@ -47,14 +47,20 @@ BY_CODE = {
 KILO, TEN = (3, 6, 9, 12), tuple(range(1, 13))
 
 
-def slips_of(grader: Any, answer: Any, reference: Any) -> Slips:
-    """Tell which common slips make an answer out of a reference: the judge's own, or what its code says."""
+def slips_of(grader: Any, answer: Any, reference: Any, code: Code | None = None) -> Slips:
+    """Tell which common slips make an answer out of a reference: the judge's own, or what its code says, if known."""
     own = getattr(grader, "slips", None)
     if own is not None:
         found: Slips = own(answer, reference)
         return found
-    slip = BY_CODE.get(grader.check(answer, reference).code)
+    slip = BY_CODE.get(code or grader.check(answer, reference).code)
     return NONE if slip is None else frozenset((slip,))
+
+
+def is_right(grader: Any, answer: Any, reference: Any) -> bool:
+    """Tell whether an answer is right, without naming what is off where it is not, as far as a judge can do so."""
+    own = getattr(grader, "right", None)
+    return bool(own(answer, reference)) if own is not None else grader.check(answer, reference).code is Code.RIGHT
 
 
 def agrees(grader: Any, answer: Any, value: Any) -> bool:
@@ -63,7 +69,7 @@ def agrees(grader: Any, answer: Any, value: Any) -> bool:
     Many slips are tried, so that a loose bound would name some of them for any number.
     """
     own = getattr(grader, "agrees", None)
-    return bool(own(answer, value)) if own is not None else grader.check(answer, value).code is Code.RIGHT
+    return bool(own(answer, value)) if own is not None else is_right(grader, answer, value)
 
 
 def likeliest(each: Iterable[Slips]) -> CommonSlip | None:

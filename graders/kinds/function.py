@@ -62,13 +62,20 @@ class Function:
         beside = tried(answer, reference, Span(self.x, self.places))
         match beside.finding:
             case Finding.EQUAL:
-                return RIGHT
+                return RIGHT if beside.cut else UNDECIDED
             case Finding.DIFFERENT:
                 return self._partly(beside)
             case Finding.UNDEFINED:
                 return wrong(Code.UNDEFINED)
             case _:
                 return UNDECIDED
+
+    def right(self, answer: tuple[Part, ...], reference: Formula) -> bool:
+        """Tell whether it is the true function."""
+        from graders.equality import Finding
+
+        beside = tried(answer, reference, Span(self.x, self.places))
+        return beside.finding is Finding.EQUAL and beside.cut
 
     def _partly(self, beside: Tried) -> Verdict:
         """Count the stretches that are right; the first one alone earns nothing."""

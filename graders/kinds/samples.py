@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any, ClassVar
 
+from graders.common_slips import NONE, Slips
 from graders.cycle.curve import Rows, cycle_of
 from graders.cycle.slips import Rule, beside, coverage, off, remarks
 from graders.cycle.table import Column, Table, read_table
@@ -64,6 +65,15 @@ class Series:
             return RIGHT
         details = Remarks(right, total, tuple(remarks(seen, answer, off_)))
         return Verdict(round(right / total, 6), Code.SOME_MARKS, details) if right else wrong(Code.NO_MARKS, details)
+
+    def right(self, answer: Table, reference: Rows) -> bool:
+        """Tell whether every column is right."""
+        seen = beside(answer, cycle_of(reference, self.abscissae), self._rule)
+        return len(seen.typed) == len(self._rule.ordinates) and not off(seen) and coverage(seen, answer.rows) is None
+
+    def slips(self, answer: Table, reference: Rows) -> Slips:
+        """Leave the slips to the remarks, which name them column by column."""
+        return NONE
 
     def show(self, reference: Rows) -> str:
         """Write the table over its first abscissa, a row a line."""

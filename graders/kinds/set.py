@@ -85,6 +85,12 @@ class Set:
         doubled = sum(map(any, fits)) > right
         return Verdict(score, _code(right, len(answer), len(reference), doubled), Branches(right, len(answer)))
 
+    def right(self, answer: tuple[Item, ...], reference: Rows) -> bool:
+        """Tell whether the branches are those of the reference."""
+        if len(answer) != len(reference):
+            return False
+        return matching([[self._is(item, row) for row in reference] for item in answer]) == len(reference)
+
     def _is(self, item: Item, row: Sequence[float]) -> bool:
         parts = zip(self.parts, item, row, strict=True)
         return all(part.check(amount, number).code is Code.RIGHT for part, amount, number in parts)
@@ -97,6 +103,8 @@ class Set:
 
     def slips(self, answer: tuple[Item, ...], reference: Rows) -> Slips:
         """Tell whether the branches are right but for one slip in one number of each, or in all numbers."""
+        if len(answer) != len(reference):
+            return frozenset()
         places = [(at,) for at in range(len(self.parts))] + [tuple(range(len(self.parts)))]
         return frozenset(
             slip

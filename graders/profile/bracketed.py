@@ -10,14 +10,15 @@ import math
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import TypeAlias
 
 from graders.equality import Finding, compare
 from graders.judge import Formula, States
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
-from graders.language.tree import Call, Number, Tree, walk
+from graders.language.tree import Binary, Call, Number, Tree, walk
+from graders.solutions.reduction import degrees
 
 STATES = 4
 MOST_CUTS = 16
@@ -68,6 +69,13 @@ class Tried:
     def stretches(self) -> int:
         """The number of stretches between neighbouring places."""
         return max(spot.stretch for spot in self.spots) + 1
+
+    @property
+    def cut(self) -> bool:
+        """Tell whether all that turns in the typed function was cut at its zero: each argument has one in x at most."""
+        borders = [one for part in self.parts for one in turning(part.body)]
+        straight = all(degrees(border, {}).get(self.span.x, 0) < 2 for border in borders)
+        return straight and len({*borders, *turning(self.reference.tree)}) <= MOST_CUTS
 
     @property
     def finding(self) -> Finding:
@@ -121,8 +129,19 @@ def _borders(parts: Sequence[Part], reference: Formula) -> list[Tree]:
     """Collect what turns a branch where it changes its sign, that of the reference first."""
     found: dict[Tree, None] = {}
     for tree in (reference.tree, *(part.body for part in parts)):
-        found |= {node.arguments[0]: None for node in walk(tree) if isinstance(node, Call) and node.function in TURNING}
+        found |= dict.fromkeys(turning(tree))
     return list(found)[:MOST_CUTS]
+
+
+def turning(tree: Tree) -> list[Tree]:
+    """Give what turns a branch of a formula."""
+    found: list[Tree] = []
+    for node in walk(tree):
+        if isinstance(node, Call) and node.function in TURNING:
+            found.append(node.arguments[0])
+        elif isinstance(node, Call) and node.function in ("min", "max"):
+            found += [Binary("-", one, other) for one, other in combinations(node.arguments, 2)]
+    return found
 
 
 def _ordered(point: tuple[float, ...], names: Sequence[str], span: Span) -> tuple[float, ...]:

@@ -111,6 +111,13 @@ def test_the_opposite_sign_is_named_and_a_formula_without_a_value_too() -> None:
     assert judged("1/(x - x)").code is Code.UNDEFINED
 
 
+@pytest.mark.parametrize(
+    "extra", ["max(0; 1e-9 - (x - 0.3)^2)", "<1e-9 - (x - 0.3)^2>^1", "abs(x^2 - x + 0.3) - x^2 + x - 0.3"]
+)
+def test_a_bracket_that_is_not_cut_at_its_zeros_keeps_a_function_for_the_lecturer(extra: str) -> None:
+    assert judged(f"{BENDING.show(MOMENT)} + {extra}").code is Code.UNDECIDED
+
+
 def test_a_difference_beyond_doubles_is_seen() -> None:
     assert judged("R_A*x*(1 + 1e-25) - F1*<x-a1> - q2/2*(<x-a2>^2 - <x-c2>^2)").score == 0
 

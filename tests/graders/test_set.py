@@ -143,6 +143,13 @@ def test_the_judge_passes_its_own_samples(reference: tuple[tuple[float, ...], ..
             ARM.parse(text, NOTHING)
 
 
+def test_a_slip_is_looked_for_only_among_as_many_branches_as_there_are() -> None:
+    many = ARM.parse("; ".join(f"({k}; {k + 1}; {k + 2})" for k in range(24)), NOTHING)
+    assert ARM.slips(many, TWO) == frozenset()
+    assert not ARM.right(many, TWO)
+    assert ARM.right(ARM.parse(ARM.show(TWO), NOTHING), TWO)
+
+
 def test_a_double_root_is_expected_twice() -> None:
     reference = ((0.012,), (0.012,), (0.03,))
     assert code("12; 12; 30", ROOTS, reference) is Code.RIGHT
