@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Depends, Request
+from fastapi import APIRouter, Depends, Query, Request
+from starlette.exceptions import HTTPException
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server import access, courses, forms, rosters
 from server.bench import Bench, Tools
+from server.envelope import LARGEST_ROSTER
+from server.errors import Refused
 from server.language import say
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
@@ -21,9 +25,15 @@ ROLES = tuple(role.name.lower() for role in CourseRole)
 
 
 @router.get("/courses/{course}")
-async def show_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
-    """Show a course."""
-    return await _course(request, bench, reader, {})
+async def show_course(
+    course: str,
+    request: Request,
+    bench: Tools,
+    reader: Asking,
+    moved: Annotated[int | None, Query(ge=0, le=9999)] = None,
+) -> Response:
+    """Show a course, and how many deadlines were just moved."""
+    return await _course(request, bench, reader, {"moved": moved})
 
 
 @router.post("/courses/{course}/code")
@@ -64,8 +74,8 @@ async def link_member(course: str, person: str, request: Request, bench: Tools, 
 
 @router.post("/courses/{course}/roster")
 async def import_roster(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
-    """Show what a roster would change; with the second button, change it."""
-    values = (await forms.read(request)).values
+    """Show what a roster would change, pasted or in a file; with the second button, change it."""
+    values = await _posted(request, reader)
     text = values.get("roster", "")
     if values.get("apply") == "yes":
         await courses.take_roster(bench, reader, text, apply=True)
@@ -79,6 +89,19 @@ async def import_roster(course: str, request: Request, bench: Tools, reader: Ask
         "unread": [(line.line, _reason(reader, line)) for line in unread],
     }
     return page(request, reader.language, "roster.html", context, path=f"/courses/{course}")
+
+
+async def _posted(request: Request, reader: Reader) -> Mapping[str, str]:
+    """Read the form with a pasted roster, or the one with a file of it."""
+    if not request.headers.get("content-type", "").startswith("multipart/form-data"):
+        return (await forms.read(request)).values
+    try:
+        async with request.form(max_files=1, max_fields=4, max_part_size=LARGEST_ROSTER) as form:
+            file = form.get("file")
+            raw = b"" if file is None or isinstance(file, str) else await file.read()
+    except HTTPException as error:
+        raise error if isinstance(error, Refused) else Refused(422, "not_a_form") from None
+    return {"roster": rosters.decoded(raw, courses.here(reader).course.language)}
 
 
 def _reason(reader: Reader, line: rosters.Unread) -> str:
@@ -101,6 +124,7 @@ async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str
         "roles": ROLES,
         "address": bench.settings.address,
         "local": partial(clock.spoken, place=clock.zone(here.course.time_zone)),
+        "moved": None,
         "made": None,
         "made_for": None,
     }

@@ -96,12 +96,13 @@ class ShownMember(BaseModel):
 
 
 class Line(BaseModel):
-    """What a line of a roster changes: new, joins, moves or same."""
+    """What a line of a roster changes: new, joins, moves or same; `known` is another name the person has here."""
 
     login: str
     name: str
     group: str
     what: str
+    known: str | None
 
 
 class Unread(BaseModel):
@@ -186,7 +187,7 @@ async def take_out(course: str, person: str, bench: Tools, reader: Asking) -> No
 async def import_roster(course: str, body: Roster, bench: Tools, reader: Asking) -> Planned:
     """Show what a roster would change, or change it. Everybody it names is a student; nobody is taken out."""
     changes, unread = await take_roster(bench, reader, body.csv, body.apply)
-    lines = [Line(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what) for c in changes]
+    lines = [Line(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what, known=c.known) for c in changes]
     return Planned(changes=lines, unread=[Unread(line=u.line, code=u.code) for u in unread], applied=body.apply)
 
 

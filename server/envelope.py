@@ -16,6 +16,7 @@ from server.errors import Refused, respond
 
 METHODS = ("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS")
 LARGEST_BODY = 64 * 1024  # bytes
+LARGEST_ROSTER = 512 * 1024  # bytes; a thousand lines in any alphabet, also as a form writes them
 SLOWEST_BODY = 20.0  # s
 log = logging.getLogger("grubler")
 
@@ -51,7 +52,7 @@ class Envelope:
         scope = {**scope, "request_id": f"r-{secrets.token_hex(5)}"} | ({"method": "GET"} if head else {})
         sealed, start = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]}, head), perf_counter()
         try:
-            await self._app(scope, bounded(Headers(scope=scope), receive), sealed)
+            await self._app(scope, bounded(scope, receive), sealed)
         except Exception:  # nothing of ours may reach the reader but its number
             log.exception("request %s failed", scope["request_id"])
             if sealed.begun:
@@ -92,9 +93,10 @@ class Sealed:
         await self._send(message)
 
 
-def bounded(headers: Headers, receive: Receive) -> Receive:
+def bounded(scope: Scope, receive: Receive) -> Receive:
     """Bound the size of a body and the time it may take, while it is read."""
-    declared = headers.get("content-length", "0")
+    declared = Headers(scope=scope).get("content-length", "0")
+    largest = LARGEST_ROSTER if scope["path"].endswith("/roster") else LARGEST_BODY
     size, whole = 0, False
     deadline = asyncio.get_running_loop().time() + SLOWEST_BODY
 
@@ -102,8 +104,8 @@ def bounded(headers: Headers, receive: Receive) -> Receive:
         nonlocal size, whole
         if whole:
             return await receive()
-        if declared.isdecimal() and int(declared) > LARGEST_BODY:
-            raise _too_large()
+        if declared.isdecimal() and int(declared) > largest:
+            raise _too_large(largest)
         try:
             async with asyncio.timeout_at(deadline):
                 message = await receive()
@@ -111,12 +113,12 @@ def bounded(headers: Headers, receive: Receive) -> Receive:
             raise Refused(408, "too_slow", headers={"Connection": "close"}) from None
         size += len(message.get("body", b""))
         whole = not message.get("more_body", False)
-        if size > LARGEST_BODY:
-            raise _too_large()
+        if size > largest:
+            raise _too_large(largest)
         return message
 
     return read
 
 
-def _too_large() -> Refused:
-    return Refused(413, "too_large", headers={"Connection": "close"}, limit=LARGEST_BODY // 1024)
+def _too_large(largest: int) -> Refused:
+    return Refused(413, "too_large", headers={"Connection": "close"}, limit=largest // 1024)

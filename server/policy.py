@@ -163,6 +163,8 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/sets/{task_set}/items/{number}"): SET_STUDENT,
     ("POST", "/sets/{task_set}/extend"): SET_LECTURER,
     ("POST", "/sets/{task_set}/copy"): SET_LECTURER,
+    ("POST", "/courses/{course}/extend"): COURSE_LECTURER,
+    ("POST", "/courses/{course}/copy"): COURSE_LECTURER,
     ("GET", "/api/v1/audit"): Role.ADMINISTRATOR,
     ("GET", "/api/v1/courses/{course}/audit"): COURSE_LECTURER,
     ("GET", "/audit"): Role.ADMINISTRATOR,

@@ -1,7 +1,8 @@
-"""A roster as a lecturer pastes it: one student a line, index number; name; group."""
+"""A roster as a lecturer pastes or sends it: one student a line, index number; name; group."""
 
 from __future__ import annotations
 
+import codecs
 import csv
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,6 +13,8 @@ from server.storage.courses import Row
 
 MOST_ROWS = 1000
 MOST_GROUP = 80
+PEEKED = 4096  # bytes by which UTF-16 is told
+SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # how XLSX and ODS begin, and XLS
 HEADINGS = {"index", "login", "indeks", "nr indeksu", "e-mail", "номер", "логин"}
 
 
@@ -21,6 +24,34 @@ class Unread:
 
     line: int
     code: str
+
+
+def decoded(raw: bytes, language: str) -> str:
+    """Give the text of a file as spreadsheets write it: UTF-8, UTF-16, or the code page of the course's language.
+
+    Raises:
+        Refused: 422, it is no text, such as a spreadsheet that was not saved as CSV.
+    """
+    if raw.startswith(SPREADSHEETS):
+        raise Refused(422, "roster_spreadsheet", field="file")
+    try:
+        return raw.decode(_encoding(raw, "cp1251" if language == "ru" else "cp1250"))
+    except UnicodeDecodeError:
+        raise Refused(422, "roster_encoding", field="file") from None
+
+
+def _encoding(raw: bytes, page: str) -> str:
+    if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    for start, wide in ((1, "utf-16-le"), (0, "utf-16-be")):  # digits and separators have an empty half
+        half = raw[start:PEEKED:2]
+        if half and half.count(0) * 4 > len(half):
+            return wide
+    try:
+        raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return page
+    return "utf-8-sig"
 
 
 def read(text: str) -> tuple[list[Row], list[Unread]]:

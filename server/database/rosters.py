@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from datetime import datetime
 
 from sqlalchemy import Connection, delete, insert, select, update
@@ -21,7 +21,10 @@ from server.tables import groups, links, memberships, persons
 def plan(connection: Connection, course: str, rows: Sequence[Row]) -> list[Change]:
     """Tell what each line changes: new, joins, moves (to another group) or same."""
     people, groups_of = _people(connection, rows), _groups_of(connection, course)
-    return [Change(row, _what(row, people, groups_of)) for row in rows]
+    names = _names(connection, people.values())
+    return [
+        Change(row, _what(row, people, groups_of), _other(row, names.get(people.get(row.login, "")))) for row in rows
+    ]
 
 
 def apply_roster(connection: Connection, course: str, rows: Sequence[Row], now: datetime, actor: str) -> list[Change]:
@@ -70,6 +73,15 @@ def _what(row: Row, people: Mapping[str, str], groups_of: Mapping[str, str | Non
 def _people(connection: Connection, rows: Sequence[Row]) -> dict[str, str]:
     query = select(persons.c.login, persons.c.id).where(persons.c.login.in_([row.login for row in rows]))
     return {login: number for login, number in connection.execute(query)}
+
+
+def _names(connection: Connection, numbers: Collection[str]) -> dict[str, str]:
+    query = select(persons.c.id, persons.c.name).where(persons.c.id.in_(numbers))
+    return {number: name for number, name in connection.execute(query)}
+
+
+def _other(row: Row, name: str | None) -> str | None:
+    return name if name is not None and name.casefold() != row.name.casefold() else None
 
 
 def _groups_of(connection: Connection, course: str) -> dict[str, str | None]:

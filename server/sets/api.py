@@ -14,7 +14,7 @@ from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import HERE, ShownCourse, here, start
 from server.errors import Failure, Refused
-from server.policy import COURSE_LECTURER, CourseRole
+from server.policy import COURSE_LECTURER, CourseRole, Role
 from server.reader import COURSES, Asking, Reader, admit, in_course
 from server.sets import building, handing, publishing
 from server.sets.building import Draft
@@ -38,6 +38,7 @@ from server.sets.shapes import (
 from server.sets.standing import final, standing
 from server.sets.wording import said
 from server.storage.audit import Action
+from server.storage.courses import Course
 from server.storage.sets import NotADraft, Slot, TaskSet
 from server.variants import ShownVariant, shown, visible
 
@@ -156,11 +157,11 @@ async def copy_set(task_set: str, body: Copied, bench: Tools, reader: Asking) ->
 
 @router.post("/courses/{course}/copy", status_code=201, responses=HERE)
 async def copy_course(course: str, body: CopiedCourse, bench: Tools, reader: Asking) -> ShownCourse:
-    """Start a course with copies of all sets of another, their dates moved by whole days; nobody comes along."""
-    old = here(reader).course
-    new = await start(bench, reader, body.title, old.language, old.time_zone, copied=old.id)
-    for task_set in reversed(await bench.sets.of(course)):
-        await building.copy(bench, task_set, new, body.days, actor_of(reader))
+    """Start a course with copies of all sets of another, their dates moved by whole days; nobody comes along.
+
+    Who may start a course may do so: a lecturer of the server.
+    """
+    new = await copied(bench, reader, body.title, body.days)
     return ShownCourse(
         id=new.id, title=new.title, language=new.language, time_zone=new.time_zone, role="lecturer",
         join_code=new.join_code, claims=new.claims,
@@ -187,6 +188,21 @@ async def print_sheets(
     content = await asyncio.to_thread(formats.written, made, form)
     attached = {"Content-Disposition": f'attachment; filename="{"key" if key else "sheets"}-{number}.{form}"'}
     return Response(content, media_type=formats.MEDIA[form], headers=attached)
+
+
+async def copied(bench: Bench, reader: Reader, title: str, days: int) -> Course:
+    """Copy the course of an address with all its sets.
+
+    Raises:
+        Refused: 403, the reader may start no course; 422, the title cannot be used.
+    """
+    if reader.role < Role.LECTURER:
+        raise Refused(403, "forbidden")
+    old = here(reader).course
+    new = await start(bench, reader, title, old.language, old.time_zone, copied=old.id)
+    for task_set in reversed(await bench.sets.of(old.id)):
+        await building.copy(bench, task_set, new, days, actor_of(reader))
+    return new
 
 
 async def set_of(bench: Bench, reader: Reader, number: str) -> TaskSet:

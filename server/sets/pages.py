@@ -22,7 +22,7 @@ from server.exercises import sample
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import building, clock
-from server.sets.api import listed, own_variant, published, set_of, slot_of
+from server.sets.api import copied, listed, own_variant, published, set_of, slot_of
 from server.sets.building import Draft
 from server.sets.form import draft_of_form, written
 from server.sets.previewing import preview
@@ -97,13 +97,27 @@ async def open_item(task_set: str, number: Number, request: Request, bench: Tool
 @router.post("/sets/{task_set}/extend")
 async def extend_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Move the open deadlines of a set."""
-    text = (await forms.read(request)).values.get("minutes", "").strip()
-    if not (text.isascii() and text.isdecimal() and 1 <= int(text[:6]) <= 100_000 and len(text) <= 6):
-        raise Refused(422, "out_of_range", field="minutes", name="minutes")
-    await building.extend(
-        bench, [await set_of(bench, reader, task_set)], int(text), datetime.now(UTC), actor_of(reader)
-    )
+    minutes = _whole((await forms.read(request)).values.get("minutes", ""), "minutes", 1, 100_000)
+    found = await set_of(bench, reader, task_set)
+    await building.extend(bench, [found], minutes, datetime.now(UTC), actor_of(reader))
     return RedirectResponse(f"/sets/{task_set}", 303)
+
+
+@router.post("/courses/{course}/extend")
+async def extend_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Move all open deadlines of a course and tell how many were moved."""
+    minutes = _whole((await forms.read(request)).values.get("minutes", ""), "minutes", 1, 100_000)
+    moved = await building.extend(bench, await bench.sets.of(course), minutes, datetime.now(UTC), actor_of(reader))
+    return RedirectResponse(f"/courses/{course}?moved={len(moved)}", 303)
+
+
+@router.post("/courses/{course}/copy")
+async def copy_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Start a course with copies of all sets of this one and go there."""
+    values = (await forms.read(request)).values
+    days = _whole(values.get("days", ""), "days", -3660, 3660)
+    made = await copied(bench, reader, values.get("title", ""), days)
+    return RedirectResponse(f"/courses/{made.id}", 303)
 
 
 @router.post("/sets/{task_set}/copy")
@@ -111,6 +125,13 @@ async def copy_set(task_set: str, bench: Tools, reader: Asking) -> Response:
     """Copy a set as a draft and go there."""
     made = await building.copy(bench, await set_of(bench, reader, task_set), here(reader).course, 0, actor_of(reader))
     return RedirectResponse(f"/sets/{made.id}", 303)
+
+
+def _whole(text: str, name: str, least: int, most: int) -> int:
+    digits = text.strip().removeprefix("-")
+    if not (digits.isascii() and digits.isdecimal() and len(digits) <= 6 and least <= int(text) <= most):
+        raise Refused(422, "out_of_range", field=name, name=name)
+    return int(text)
 
 
 def _checked(written: Mapping[str, Any]) -> Draft:

@@ -60,10 +60,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What a line of a roster changes: new, joins, moves or same."""
+    """What a line of a roster changes: new, joins, moves or same; `known` is another name the person has here."""
 
     row: Row
     what: str
+    known: str | None = None
 
 
 class Courses(Protocol):

@@ -73,6 +73,21 @@ def test_a_lecturer_of_a_course_is_no_lecturer_of_the_server(school: School) -> 
     assert browser.post("/api/v1/compare", json={}).status_code == 403
 
 
+def test_copying_a_course_starts_one_and_needs_the_right_to_do_so(school: School) -> None:
+    """Who lectures one course only does not become a lecturer of new ones by copying it."""
+    place = f"/api/v1/courses/{school.course}"
+    promoted = school.browser("lecturer").patch(
+        f"{place}/members/{school.people['student']}", json={"role": "lecturer"}
+    )
+    assert promoted.status_code == 200
+    browser, body = school.browser("student"), {"title": "Mine", "days": 7}
+    assert browser.post(f"{place}/copy", json=body).json()["error"]["code"] == "forbidden"
+    assert browser.post(f"/courses/{school.course}/copy", data=body).json()["error"]["code"] == "forbidden"
+    assert [course["title"] for course in browser.get("/api/v1/courses").json()] == ["TMM"]
+    assert school.browser("assistant").post(f"{place}/copy", json=body).status_code == 403
+    assert school.browser("lecturer").post(f"{place}/copy", json=body).status_code == 201
+
+
 def test_a_token_has_no_more_rights_and_makes_no_tokens(school: School) -> None:
     student, lecturer = school.browser("student"), school.browser("lecturer")
     for role in ("lecturer", "administrator", "anonymous", "dean"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from datetime import datetime, timedelta
 from html import unescape
 from typing import Any
 
@@ -61,6 +62,38 @@ def test_a_set_is_built_published_and_answered_without_script(course: Course) ->
     assert graded.status_code == 303, graded.text
     workspace = student.get(graded.headers["location"].split("#")[0] + "&lang=en")
     assert "Check answers (attempt 2 of 2)" in workspace.text and "1 of 2" in workspace.text
+
+
+def test_all_open_deadlines_of_a_course_move_together(course: Course) -> None:
+    one, other, page = course.published(), course.published(), f"/courses/{course.school.course}"
+    closed = course.published()
+    course.move(closed, hours=3)
+    before = {number: due(course, number) for number in (one, other, closed)}
+    reply = course.lecturer.post(f"{page}/extend", data={"minutes": " 15 "})
+    moved = int(reply.headers["location"].removeprefix(f"{page}?moved="))
+    assert f"Sets moved: {moved}." in course.lecturer.get(reply.headers["location"] + "&lang=en").text and moved >= 2
+    assert due(course, one) - before[one] == due(course, other) - before[other] == timedelta(minutes=15)
+    assert due(course, closed) == before[closed]
+    for minutes in ("0", "-5", "x", "", "1e3", "1000000"):
+        assert course.lecturer.post(f"{page}/extend", data={"minutes": minutes}).status_code == 422
+
+
+def due(course: Course, number: str) -> datetime:
+    return datetime.fromisoformat(course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"])
+
+
+def test_a_course_is_copied_with_its_sets_and_later_dates_and_nobody(course: Course) -> None:
+    number, page = course.published(title="Set to copy"), f"/courses/{course.school.course}"
+    reply = course.lecturer.post(f"{page}/copy", data={"title": "TMM next year", "days": "364"})
+    fresh = reply.headers["location"]
+    sets = course.lecturer.get(f"/api/v1{fresh}/task-sets").json()
+    copy = next(one for one in sets if one["title"] == "Set to copy")
+    assert copy["state"] == "draft" and len(sets) == len(course.lecturer.get(f"/api/v1{page}/task-sets").json())
+    assert timedelta(days=363) < due(course, copy["id"]) - due(course, number) < timedelta(days=365)
+    members = course.lecturer.get(f"/api/v1{fresh}/members").json()
+    assert [(one["login"], one["role"]) for one in members] == [("lecturer", "lecturer")]
+    for form in ({"title": "", "days": "7"}, {"title": "x", "days": "4000"}, {"title": "x"}):
+        assert course.lecturer.post(f"{page}/copy", data=form).status_code == 422
 
 
 @pytest.mark.parametrize("language", ["pl", "en", "ru"])
