@@ -37,10 +37,11 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Paragraph:
-    """A line of text that wraps; quiet ones are notes."""
+    """A line of text that wraps; quiet ones are notes; an aside stands at the end of the line, quietly."""
 
     line: Line
     quiet: bool = False
+    aside: str = ""
 
 
 @dataclass(frozen=True, slots=True)

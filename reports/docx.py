@@ -11,7 +11,7 @@ from typing import Any
 
 import docx
 from docx.document import Document as Word
-from docx.enum.text import WD_BREAK
+from docx.enum.text import WD_BREAK, WD_TAB_ALIGNMENT
 from docx.oxml import parse_xml
 from docx.oxml.ns import qn
 from docx.shared import Mm, Pt
@@ -77,7 +77,11 @@ def _heading(word: Word, block: Heading) -> None:
 
 
 def _paragraph(word: Word, block: Paragraph) -> None:
-    _line(word.add_paragraph(), block.line, block.quiet)
+    paragraph = word.add_paragraph()
+    _line(paragraph, block.line, block.quiet)
+    if block.aside:
+        paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(TEXT_WIDTH), WD_TAB_ALIGNMENT.RIGHT)
+        _line(paragraph, (f"\t{block.aside}",), small=True)
 
 
 def _bullets(word: Word, block: Bullets) -> None:

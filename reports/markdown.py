@@ -27,6 +27,11 @@ def _line(runs: Line) -> str:
     return "".join(escaped(run) if isinstance(run, str) else f"${formula(run.mathml)}$" for run in runs)
 
 
+def _paragraph(block: Paragraph) -> str:
+    written = f"*{_line(block.line)}*" if block.quiet and plain_line(block) else _line(block.line)
+    return f"{written} *({escaped(block.aside)})*" if block.aside else written
+
+
 def _heading(block: Heading) -> str:
     """Headings keep the words of the form, character by character."""
     return f"{'#' * (block.level + 1)} {block.text}"
@@ -53,7 +58,7 @@ def _facts(block: Facts) -> str:
 
 WRITERS: dict[type[Block], Callable[[Any], str]] = {
     Heading: _heading, Bullets: _bullets, Table: _table, Facts: _facts,
-    Paragraph: lambda block: f"*{_line(block.line)}*" if block.quiet and plain_line(block) else _line(block.line),
+    Paragraph: _paragraph,
     Drawing: lambda block: f"[{escaped(block.description)}]",
     Ruled: lambda block: "\n\n".join(["&nbsp;"] * block.lines),
     Break: lambda block: "---",

@@ -14,7 +14,7 @@ from exercises.exercise import Variant
 from exercises.grading import preview
 from exercises.presenting import Presented, presented
 from graders import Verdict
-from graders.language.mathml import mathml_of
+from graders.language.mathml import mathml_of, symbol_mathml
 from graders.polygon.drawn import Drawn
 from graders.words import printed_unit
 from reports.document import (
@@ -32,10 +32,11 @@ from reports.document import (
     in_rows,
     line_from_html,
 )  # fmt: skip
+from reports.motion import own_motion, plots
 from reports.words import Words, words
 
 ROOM = {4: 3, 9: 9, 11: 11, 12: 12, 13: 11}  # lines of ruled space in the sections
-SQUARED = {5: 8, 7: 3, 8: 6, 10: 13}
+SQUARED = {5: 7, 7: 3, 8: 6, 10: 13}
 
 
 class NoReport(ValueError):
@@ -116,6 +117,8 @@ class _Sheet:
             case _ if self.handed is not None and answers:
                 for name in answers:
                     yield from self._answer(name)
+                if number == 12:
+                    yield from self._plots()
             case _:
                 yield Ruled(SQUARED[number], squared=True) if number in SQUARED else Ruled(ROOM[number])
 
@@ -145,9 +148,19 @@ class _Sheet:
         assert drawn is not None
         comma = self.language != "en"
         trees = [c.tree for c in drawn.closures] if number == 7 else [e.tree for e in drawn.equations]
-        for tree in trees:
-            yield Paragraph((Formula(mathml_of(tree, comma)),))
-        yield Paragraph((self._outcome("polygon"),), quiet=True)
+        for at, tree in enumerate(trees, 1):
+            yield Paragraph(
+                (Formula(mathml_of(tree, comma)),), aside=self._outcome("polygon") if at == len(trees) else ""
+            )
+
+    def _plots(self) -> Iterator[Block]:
+        """What is plotted of the last node, as it follows from the student's own projections."""
+        drawn = self._polygon()
+        for name, moved in (own_motion(self.variant, drawn) if drawn else {}).items():
+            before, after = self.said["plots"].split("{name}")
+            title = f"{before}{name}{after}"
+            yield Drawing(plots(name, moved, self.variant, title, self.language).svg, title, 0.6)
+            yield Paragraph((before, Formula(symbol_mathml(name)), after), quiet=True)
 
     def _answer(self, name: str) -> Iterator[Block]:
         """What is asked, what was typed as it was understood, and how it was judged."""
@@ -157,10 +170,10 @@ class _Sheet:
         if not text.strip():
             yield Paragraph((*prompt, f": {self.said['unanswered']}"), quiet=True)
             return
-        first, *more = _understood(self.variant, name, text, self.language)
-        yield Paragraph((*prompt, ": ", *first))
-        yield from (Paragraph(line) for line in more)
-        yield Paragraph((self._outcome(name),), quiet=True)
+        *lines, last = _understood(self.variant, name, text, self.language)
+        lines[:0] = [(*prompt, ": ")] if lines else []
+        yield from (Paragraph(line) for line in lines)
+        yield Paragraph(last if lines else (*prompt, ": ", *last), aside=self._outcome(name))
 
     def _outcome(self, name: str) -> str:
         assert self.handed is not None
@@ -199,4 +212,4 @@ def _understood(variant: Variant, name: str, text: str, language: str) -> list[L
         return [(text.strip(),)]
     unit = printed_unit(echo.unit or "", language)
     formulas = [Formula(mathml) for mathml in in_rows(echo.mathml)]
-    return [(formula, f" {unit}" if unit else "") for formula in formulas]
+    return [(formula, unit if unit in ("", "°") else f" {unit}") for formula in formulas]

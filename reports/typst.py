@@ -62,6 +62,8 @@ def _heading(block: Heading) -> str:
 
 def _paragraph(block: Paragraph) -> str:
     inner = line(block.line)
+    if block.aside:
+        inner += f" #h(1fr) #box(text(size: 9pt, fill: luma(70))[#{quoted(block.aside)}])"
     return f"#block[#text(size: 9pt, fill: luma(70))[{inner}]]" if block.quiet else f"#block[{inner}]"
 
 
@@ -80,7 +82,7 @@ def _table(block: Table) -> str:
     header = ", ".join(f"[*#{quoted(cell)}*]" for cell in block.header)
     head = f"table.header({header}), " if header else ""
     cells = ", ".join(f"[{line(cell)}]" for row in block.rows for cell in row)
-    columns = len(block.header) or len(block.rows[0])
+    columns = "(" + "1fr, " * (len(block.header) or len(block.rows[0])) + ")"
     return f"#table(columns: {columns}, stroke: 0.5pt + luma(140), inset: 6pt, {head}{cells})"
 
 
@@ -96,7 +98,8 @@ def _facts(block: Facts) -> str:
     cells = ", ".join(
         f"[#text(size: 8pt, fill: luma(70))[#{quoted(k)}] #linebreak() #{quoted(v)}]" for k, v in block.pairs
     )
-    return f"#table(columns: {min(4, len(block.pairs))}, stroke: 0.5pt, inset: 6pt, {cells})"
+    shares = "(1.6fr, " + "1fr, " * (min(4, len(block.pairs)) - 1) + ")"
+    return f"#table(columns: {shares}, stroke: 0.5pt, inset: 6pt, {cells})"
 
 
 WRITERS: dict[type[Block], Callable[[Any], str]] = {

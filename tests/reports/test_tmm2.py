@@ -56,8 +56,8 @@ def texts(document: Document) -> str:
         match block:
             case Heading(text=text):
                 found.append(text)
-            case Paragraph(line=line):
-                found.append(plain(line))
+            case Paragraph(line=line, aside=aside):
+                found.append(f"{plain(line)} {aside}".strip())
             case Table(rows=rows):
                 found += [plain(cell) for row in rows for cell in row]
             case _:
@@ -100,7 +100,7 @@ def vars_of(givens: object) -> list[float]:
 def test_a_filled_report_holds_the_students_own_answers_and_the_receipt() -> None:
     said = texts(filled(conclusions="Podwojenie długości zwiększa prędkość."))
     assert "Podwojenie długości zwiększa prędkość." in said and "u prowadzącego" in said and "dobrze" in said
-    assert sum(isinstance(block, Drawing) for block in filled().blocks) == 2
+    assert sum(isinstance(block, Drawing) for block in filled().blocks) == 4  # scheme, polygon, plots of x and y
     assert not any(isinstance(block, Ruled) and block.squared for block in filled().blocks)
 
 
