@@ -52,6 +52,7 @@ from server.jobs.working import Bureau
 from server.judging import Judging, JudgingThread
 from server.limits import Limiter
 from server.marks import api as marks
+from server.marks import pages as mark_pages
 from server.passwords import Passwords
 from server.reader import admit
 from server.sets import api as task_sets
@@ -96,6 +97,7 @@ ROUTERS = (
     jobs.router,
     job_pages.router,
     marks.router,
+    mark_pages.router,
 )
 log = logging.getLogger("grubler")
 

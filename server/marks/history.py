@@ -33,7 +33,8 @@ class Piece:
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """A card as the student had it before the eyes, in the language of the last submission."""
+    """A card as the student had it before the eyes, in the language of the last submission; with the draft, if some of
+    it was not handed in."""
 
     card: Card
     language: str
@@ -94,4 +95,7 @@ async def history(bench: Bench, task_set: TaskSet, person: str) -> History:
 def _seen(card: Card, pieces: Sequence[Piece], drafts: Mapping[str, Draft], spoken: str) -> Seen:
     own = tuple(piece for piece in pieces if piece.line.variant == card.variant)
     language = own[-1].handed.language if own else spoken
-    return Seen(card, language, PRESENTED.validate_python(card.shown[language]), own, drafts.get(card.variant or ""))
+    draft = drafts.get(card.variant or "")
+    if draft is not None and own and draft.time <= own[-1].handed.time:
+        draft = None  # it was handed in
+    return Seen(card, language, PRESENTED.validate_python(card.shown[language]), own, draft)

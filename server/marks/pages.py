@@ -1,0 +1,177 @@
+"""Pages of marks: the results of a set and of a course, and a student's work with the forms to mark it."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from fastapi import APIRouter, Depends, Request
+from pydantic import ValidationError
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+
+from graders import Code
+from server import forms
+from server.bench import Tools
+from server.courses import here
+from server.errors import Refused
+from server.language import say
+from server.marks import giving, gradebook
+from server.marks.giving import NewMark, Settling
+from server.marks.gradebook import Gradebook
+from server.marks.history import history
+from server.marks.shapes import verdicts_of
+from server.reader import Asking, Reader, admit
+from server.receipts import whole
+from server.sets import clock
+from server.sets.api import set_of
+from server.templating import page
+
+MOST_OPEN = 50  # open answers on a page
+
+router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """A class at a glance: who has handed in, the median of the points and the middle half; none below two people."""
+
+    students: int
+    opened: int
+    handed_in: int
+    median: float | None
+    quarters: tuple[float, float] | None
+
+
+@router.get("/sets/{task_set}/results")
+async def show_results(task_set: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show the points of a class in a set, and what is left to the lecturer."""
+    found = await gradebook.gradebook(bench, await set_of(bench, reader, task_set))
+    left = await giving.waiting(bench, found.task_set)
+    context = {
+        "book": found,
+        "summary": summary(found),
+        "left": left[:MOST_OPEN],
+        "more_left": len(left) - len(left[:MOST_OPEN]),
+        "undecided": sum(one.code != Code.FAULT for one in left),
+        "faults": sum(one.code == Code.FAULT for one in left),
+        "names": {row.member.person.id: row.member.person.name for row in found.rows},
+    }
+    return page(request, reader.language, "results.html", context | _common(reader))
+
+
+@router.get("/courses/{course}/results")
+async def show_course(course: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show the points of a class in all published sets."""
+    books = await gradebook.of_course(bench, course)
+    rows = [
+        (rows[0], rows, round(sum(row.points for row in rows), 3))
+        for rows in zip(*(one.rows for one in books), strict=True)
+    ]
+    context = {"books": books, "rows": rows}
+    return page(request, reader.language, "course_results.html", context | _common(reader))
+
+
+@router.get("/sets/{task_set}/students/{person}")
+async def show_student(task_set: str, person: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show a student's work in a set as the student saw it, with the forms to mark it."""
+    found = await history(bench, await set_of(bench, reader, task_set), person)
+    context = {
+        "task_set": await set_of(bench, reader, task_set),
+        "found": found,
+        "verdicts": verdicts_of,
+        "whole": whole,
+    }
+    return page(request, reader.language, "student.html", context | _common(reader))
+
+
+@router.post("/sets/{task_set}/marks")
+async def give_mark(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Mark a submission and go back to the student's work."""
+    values = (await forms.read(request)).values
+    written = {
+        "receipt": values.get("receipt", ""),
+        "answer": values.get("answer") or None,
+        "share": _share(values.get("share", "")),
+        "comment": values.get("comment", "").replace("\r\n", "\n"),
+    }
+    new = _checked(NewMark.model_validate, written)
+    await giving.give(bench, reader, await set_of(bench, reader, task_set), new)
+    marked = await bench.storage.submission(new.receipt)
+    place = await bench.sets.place(marked.handed.variant) if marked else None
+    assert place is not None  # it was marked just now
+    return RedirectResponse(f"/sets/{task_set}/students/{place.card.person}#item-{place.slot.number}", 303)
+
+
+@router.post("/sets/{task_set}/open-answers")
+async def settle(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Settle an open answer for all who typed it like this, and go back to the results."""
+    values = (await forms.read(request)).values
+    item = values.get("item", "")
+    written = {
+        "item": int(item) if item.isascii() and item.isdecimal() and len(item) < 4 else item,
+        "answer": values.get("answer", ""),
+        "text": values.get("text", "").replace("\r\n", "\n"),
+        "share": _share(values.get("share", "")),
+        "comment": values.get("comment", "").replace("\r\n", "\n"),
+    }
+    new = _checked(Settling.model_validate, written)
+    await giving.settle(bench, reader, await set_of(bench, reader, task_set), new)
+    return RedirectResponse(f"/sets/{task_set}/results#h-left", 303)
+
+
+def summary(found: Gradebook) -> Summary:
+    """Sum a class up."""
+    begun = [row for row in found.rows if row.begun is not None]
+    points = [row.points for row in found.rows if row.taken]
+    enough = len(points) > 1
+    low, middle, high = statistics.quantiles(points, n=4, method="inclusive") if enough else (0.0, 0.0, 0.0)
+    handed_in = sum(any(cell.handed for cell in row.cells) for row in found.rows)
+    return Summary(len(found.rows), len(begun), handed_in, middle if enough else None, (low, high) if enough else None)
+
+
+def _share(text: str) -> float | str | None:
+    """Read a percentage as a share; what is none stays as it is, for the schema to refuse by name."""
+    written = text.strip().removesuffix("%").strip().replace(",", ".")
+    if not written:
+        return None
+    try:
+        return float(written) / 100
+    except ValueError:
+        return text
+
+
+def _checked(model: Callable[[Any], Any], written: dict[str, Any]) -> Any:
+    try:
+        return model(written)
+    except ValidationError as error:
+        field = ".".join(map(str, error.errors()[0]["loc"]))
+        raise Refused(422, "out_of_range", field=field, name=field) from None
+
+
+def _common(reader: Reader) -> dict[str, Any]:
+    course = here(reader).course
+    number = partial(_number, reader.language)
+    return {
+        "course": course,
+        "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
+        "number": number,
+        "told": partial(_told, reader.language, number),
+    }
+
+
+def _number(language: str, value: float) -> str:
+    """Write a number of points as a language does: at most three places."""
+    text = f"{value:.3f}".rstrip("0").rstrip(".")
+    return text if language == "en" else text.replace(".", ",")
+
+
+def _told(language: str, number: Callable[[float], str], name: str, cell: Any) -> str:
+    """Tell a cell in words."""
+    state = say(language, f"marks.state_{cell.state}")
+    return say(
+        language, "marks.cell", name=name, item=cell.slot.number, state=state, points=number(cell.points),
+        all=number(cell.slot.points),
+    )  # fmt: skip

@@ -1,0 +1,64 @@
+"""The results of a set and of a course and a student's work, as pages that work without a script."""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+
+import pytest
+
+from server.language import LANGUAGES
+from tests.server.marks.test_api import book, with_open_answer
+from tests.server.sets.conftest import Course
+
+
+def test_results_show_points_and_settle_an_open_answer_by_a_form(
+    course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    number = course.published(title="Pages")
+    receipt, answers = with_open_answer(course, monkeypatch, number)
+    path, person = f"/sets/{number}/results", course.school.people["student"]
+    page = course.lecturer.get(f"{path}?lang=en").text
+    assert "Student, task 1: undecided, 8 of 10 points" in page and "1 of 3" in page and "(provisional)" in page
+    assert f'href="/sets/{number}/students/{person}#item-1"' in page
+    form = page[page.index("open-answers") :]
+    typed = unescape(re.search(r"<textarea[^>]*>\n(.*?)</textarea>", form, re.DOTALL)[1])  # type: ignore[index]
+    assert typed == answers["omega2_formula"]
+    data = {"item": "1", "answer": "omega2_formula", "text": typed, "share": "100", "comment": "the same by hand"}
+    reply = course.lecturer.post(f"/sets/{number}/open-answers", data=data)
+    assert (reply.status_code, reply.headers["location"]) == (303, f"{path}#h-left")
+    page = course.lecturer.get(path).text
+    assert "Student, task 1: right, 10 of 10 points, marked by hand" in page and "open-answers" not in page
+    assert receipt in course.lecturer.get(f"/sets/{number}/students/{person}").text
+
+
+def test_a_student_s_work_is_shown_in_the_student_s_language_and_marked_by_a_form(course: Course) -> None:
+    number = course.published(title="Work")
+    variant = course.variant(number)
+    path = f"/api/v1/variants/{variant}/submissions?lang=pl"
+    receipt = course.student.post(path, json={"answers": {"l3": "<b>1</b> mm"}}).json()["receipt"]["id"]
+    place = f"/sets/{number}/students/{course.school.people['student']}"
+    page = course.lecturer.get(f"{place}?lang=en").text
+    assert 'lang="pl"' in page and "Korba ma długość" in page and "What the student saw" in page
+    assert "&lt;b&gt;1&lt;/b&gt; mm" in page and "<b>1</b> mm" not in page
+    data = {"receipt": receipt, "answer": "l3", "share": "12,5", "comment": "<i>half</i>\r\nof it"}
+    reply = course.lecturer.post(f"/sets/{number}/marks", data=data)
+    assert (reply.status_code, reply.headers["location"]) == (303, f"{place}#item-1")
+    page = course.lecturer.get(place).text
+    assert "12.5 %" in page and "&lt;i&gt;half&lt;/i&gt;" in page and "<i>half</i>" not in page
+    assert book(course, number)["Student"]["points"] == 0.25  # an eighth of one answer of five, of ten points
+    for share in ("101", "nan", "x"):
+        refused = course.lecturer.post(f"/sets/{number}/marks", data=data | {"share": share})
+        assert (refused.status_code, refused.json()["error"]["field"]) == (422, "share")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_results_of_a_course_link_to_those_of_its_sets(course: Course, language: str) -> None:
+    number = course.published(title="Linked")
+    page = course.lecturer.get(f"/courses/{course.school.course}/results?lang={language}").text
+    assert f'href="/sets/{number}/results">Linked' in page and "Student" in page
+    assert (
+        f'href="/courses/{course.school.course}/results"'
+        in course.lecturer.get(f"/courses/{course.school.course}").text
+    )
+    assert course.student.get(f"/sets/{number}/results").status_code == 403
