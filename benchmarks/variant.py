@@ -1,7 +1,9 @@
-"""What a variant costs, each exercise alone: draw and numeric solve, deal, first and second grading of right answers.
+"""What a variant costs, each exercise alone: draw, numeric solve, separation of the known mistakes, the whole deal,
+first and second grading of right answers.
 
-Draw and solve is what every variant needs; a deal also tells the known mistakes apart. Medians over fresh seeds, in
-microseconds; one pass over other seeds warms up. Run: ``uv run python benchmarks/variant.py [--seeds 100] [ID …]``.
+The draw counts what is refused on the way to a variant that can be solved. A deal draws again where mistakes fall
+together; `draws` is the mean of the draws it takes. Medians over fresh seeds, in microseconds; one pass over other
+seeds warms up. Run: ``uv run python benchmarks/variant.py [--seeds 100] [ID …]``.
 """
 
 from __future__ import annotations
@@ -14,13 +16,14 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.p
 import argparse  # noqa: E402
 import time  # noqa: E402
 from collections.abc import Callable, Iterable  # noqa: E402
-from statistics import median  # noqa: E402
+from contextlib import suppress  # noqa: E402
+from statistics import fmean, median  # noqa: E402
 from typing import TypeVar  # noqa: E402
 
 from exercises import catalogue, grading, solving  # noqa: E402
 from exercises.draw import Draw, Rejected  # noqa: E402
-from exercises.exercise import Submission  # noqa: E402
-from exercises.variants import deal  # noqa: E402
+from exercises.exercise import Submission, Variant  # noqa: E402
+from exercises.variants import deal, told_apart  # noqa: E402
 from graders.language.doubles import UndefinedError  # noqa: E402
 
 T = TypeVar("T")
@@ -47,14 +50,28 @@ def drawn(exercise_id: str, seed: int) -> None:
         return
 
 
+def draws(variant: Variant) -> int:
+    """Count the draws that a deal took."""
+    exercise = catalogue.load(variant.exercise).exercise
+    for turn in range(100):
+        with suppress(Rejected, UndefinedError):
+            if exercise.draw(Draw(variant.exercise, variant.seed, turn)) == variant.givens:
+                return turn + 1
+    raise RuntimeError(f"{variant.exercise}: seed {variant.seed} is not drawn again")
+
+
 def costs(exercise_id: str, seeds: range) -> tuple[float, ...]:
-    """Give the four medians of one exercise."""
+    """Give the medians of one exercise, in the order in which they are printed."""
+    exercise = catalogue.load(exercise_id).exercise
     draw = microseconds(lambda seed: drawn(exercise_id, seed), seeds)
     dealing = microseconds(lambda seed: deal(exercise_id, seed), seeds)
     variants = [deal(exercise_id, seed) for seed in seeds]
+    solve = microseconds(lambda variant: solving.solve(exercise, variant.givens), variants)
+    apart = microseconds(told_apart, [solving.Solved(exercise, variant) for variant in variants])
     handed_in = [Submission(variant, grading.reference(variant)) for variant in variants]
     solving.solved.cache_clear()
-    return draw, dealing, microseconds(grading.grade, handed_in), microseconds(grading.grade, handed_in)
+    first, again = microseconds(grading.grade, handed_in), microseconds(grading.grade, handed_in)
+    return draw, solve, apart, dealing, fmean(map(draws, variants)), first, again
 
 
 def main() -> None:
@@ -63,11 +80,12 @@ def main() -> None:
     parser.add_argument("exercises", nargs="*", metavar="ID")
     parser.add_argument("--seeds", type=int, default=100)
     given = parser.parse_args()
-    print(f"{'microseconds':24}{'draw + solve':>14}{'deal':>10}{'grade first':>14}{'again':>10}")
+    heads = ("draw + solve", "solve", "separation", "deal", "draws", "grade first", "again")
+    print(f"{'microseconds':24}" + "".join(f"{head:>14}" for head in heads))
     for exercise_id in given.exercises or catalogue.ids():
         costs(exercise_id, range(10**6, 10**6 + given.seeds // 2))
-        draw, dealing, first, again = costs(exercise_id, range(given.seeds))
-        print(f"{exercise_id:24}{draw:14.0f}{dealing:10.0f}{first:14.0f}{again:10.0f}", flush=True)
+        found = costs(exercise_id, range(given.seeds))
+        print(f"{exercise_id:24}" + "".join(f"{one:14.1f}" for one in found), flush=True)
 
 
 if __name__ == "__main__":

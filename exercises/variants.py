@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
-from itertools import combinations, zip_longest
+from itertools import zip_longest
 from math import pi
 from typing import Any
 
@@ -150,8 +150,12 @@ def misread(solved: Solved, names: frozenset[str]) -> Iterator[tuple[CommonSlip,
 
 def told_apart(solved: Solved) -> bool:
     """Tell whether every mistake differs from the reference and from the others in at least one answer."""
-    right = Predictions(solved, solved.values, {})
-    return all(differ(solved, one, other) for one, other in combinations([right, *predictions(solved).values()], 2))
+    known = [Predictions(solved, solved.values, {})]
+    for _, one in slips(solved):
+        if not all(differ(solved, other, one) for other in known):
+            return False
+        known.append(one)
+    return True
 
 
 def differ(solved: Solved, one: Mapping[str, Any], other: Mapping[str, Any]) -> bool:

@@ -12,6 +12,7 @@ from math import cos, pi, radians, sin
 
 from exercises.exercise import Draw, Exercise, Mistake, Value, Values, given
 from graders import Quantity, Set
+from mechanics import four_bar
 from mechanics.errors import SingularError
 from mechanics.newton_linkages import four_bar_motion
 from mechanics.planar import Motion
@@ -48,22 +49,21 @@ def draw(rng: Draw) -> Givens:
 
 def _delicate(g: Givens) -> bool:
     """Tell whether coupler and rocker are nearly in line, or a result is the small difference of large terms."""
-    first, second = _motions(g)
-    (alpha2, omega2, epsilon2), (alpha3, omega3, epsilon3) = (_turning(first, body) for body in (2, 3))
-    if sin(alpha3 - alpha2) < TRANSMISSION or any(
-        abs(_turning(m, b)[0]) > 2.8 for m in (first, second) for b in (2, 3)
-    ):
+    state = g.l1, g.l2, g.l3, g.l4, g.alpha1, g.omega1, g.epsilon1
+    alpha2, alpha3, omega2, omega3, epsilon2, epsilon3 = four_bar.motion(*state)
+    angles = alpha2, alpha3, *four_bar.motion(*state, "C_right_of_BD")[:2]
+    if sin(alpha3 - alpha2) < TRANSMISSION or max(map(abs, angles)) > 2.8:
         return True
     terms = (g.l1 * g.epsilon1, g.l1 * g.omega1**2, g.l2 * omega2**2, g.l3 * omega3**2)
-    angles = (alpha3 - g.alpha1, alpha2 - g.alpha1)
+    turned = (alpha3 - g.alpha1, alpha2 - g.alpha1)
     size2 = sum(
-        map(abs, (terms[0] * sin(angles[0]), terms[1] * cos(angles[0]), terms[2] * cos(alpha3 - alpha2), terms[3]))
+        map(abs, (terms[0] * sin(turned[0]), terms[1] * cos(turned[0]), terms[2] * cos(alpha3 - alpha2), terms[3]))
     )
     size3 = sum(
-        map(abs, (terms[0] * sin(angles[1]), terms[1] * cos(angles[1]), terms[3] * cos(alpha3 - alpha2), terms[2]))
+        map(abs, (terms[0] * sin(turned[1]), terms[1] * cos(turned[1]), terms[3] * cos(alpha3 - alpha2), terms[2]))
     )
     return (
-        min(abs(sin(angle)) for angle in angles) < CANCELLED
+        min(abs(sin(angle)) for angle in turned) < CANCELLED
         or abs(epsilon2 * g.l2 * sin(alpha3 - alpha2)) < CANCELLED * size2
         or abs(epsilon3 * g.l3 * sin(alpha3 - alpha2)) < CANCELLED * size3
     )

@@ -14,7 +14,7 @@ from exercises.linkages.slider_crank_polygon.motion import NODES, mechanism
 from figures.machine import Drive, Link, Machine, Pair, Plotted
 from graders import Polygon, Quantity, Rates, States
 from graders.polygon.mechanism import Mechanism
-from mechanics import planar
+from mechanics import planar, slider_crank
 
 ANGLES = [a for a in range(20, 341, 5) if a % 90 not in (0, 5, 45, 85)]  # far from where an answer vanishes
 SPANS = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.8, 1.0, 1.5)  # s
@@ -44,16 +44,16 @@ def draw(rng: Draw) -> Givens:
 
 def _cancelled(g: Givens) -> bool:
     """Tell whether a result is the small difference of large terms."""
-    motion = planar.slider_crank(g.l1, g.l2, g.alpha1, g.omega1, g.epsilon1)
-    turned, slid = sin(motion.rod_angle), cos(motion.rod_angle)
-    pulls = [g.l1 * g.omega1**2, g.l1 * g.epsilon1, g.l2 * motion.rod_speed**2, g.l2 * motion.rod_acceleration]
+    alpha2, _, omega2, v3, epsilon2, a3 = slider_crank.motion(g.l1, g.l2, g.alpha1, g.omega1, g.epsilon1)
+    turned, slid = sin(alpha2), cos(alpha2)
+    pulls = [g.l1 * g.omega1**2, g.l1 * g.epsilon1, g.l2 * omega2**2, g.l2 * epsilon2]
     along = [pulls[0] * cos(g.alpha1), pulls[1] * sin(g.alpha1), pulls[2] * slid, pulls[3] * turned]
     across = [pulls[0] * sin(g.alpha1), pulls[1] * cos(g.alpha1), pulls[2] * turned]
-    speeds = [g.l1 * g.omega1 * sin(g.alpha1), g.l2 * motion.rod_speed * turned]
+    speeds = [g.l1 * g.omega1 * sin(g.alpha1), g.l2 * omega2 * turned]
     return (
-        abs(motion.slider_acceleration) < CANCELLED * sum(map(abs, along))
+        abs(a3) < CANCELLED * sum(map(abs, along))
         or abs(pulls[3] * slid) < CANCELLED * sum(map(abs, across))
-        or abs(motion.slider_speed) < CANCELLED * sum(map(abs, speeds))
+        or abs(v3) < CANCELLED * sum(map(abs, speeds))
     )
 
 
