@@ -10,6 +10,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, make_url
 BUSY = 10_000  # ms to wait for another process's lock
 READERS = 4  # threads and connections that read
 
+NETWORK = {"connect_timeout": 5, "keepalives_idle": 10, "keepalives_interval": 5, "keepalives_count": 3}  # s; tries
 PRAGMAS = (f"busy_timeout={BUSY}", "journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON")
 
 
@@ -21,8 +22,12 @@ def engine(url: str, *, connections: int, begin: str = "BEGIN") -> Engine:
         connections: Most connections that are kept open.
         begin: How a transaction begins on SQLite; a writer takes its lock at once with ``BEGIN IMMEDIATE``.
     """
-    made = create_engine(url, pool_size=connections, max_overflow=0, pool_pre_ping=not url.startswith("sqlite"))
-    if make_url(url).get_backend_name() == "sqlite":
+    embedded = make_url(url).get_backend_name() == "sqlite"
+    made = create_engine(
+        url, pool_size=connections, max_overflow=0, pool_pre_ping=not embedded, hide_parameters=True,
+        connect_args={} if embedded else NETWORK,
+    )  # fmt: skip
+    if embedded:
         event.listen(made, "connect", _prepare)
         event.listen(made, "begin", lambda connection: _begin(connection, begin))
     return made

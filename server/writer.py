@@ -10,7 +10,7 @@ from threading import Thread
 from typing import Any, Generic, TypeAlias, TypeVar
 
 from sqlalchemy import Connection, Engine
-from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from server.storage import StorageUnavailable
 
@@ -94,10 +94,18 @@ class Writer:
                 work.promise.set_exception(failure)
 
     def _together(self, group: list[Work[Any]]) -> list[Result] | None:
-        """Write a group without savepoints; None, and nothing written, if a piece fails."""
+        """Write a group without savepoints; None, and nothing written, if a piece fails.
+
+        A connection that is lost breaks all promises: nobody knows whether a COMMIT under way was done, so a client
+        asks again with its key.
+        """
         try:
             with self._engine.begin() as connection:
                 return [(work.write(connection), None) for work in group]
+        except DBAPIError as error:
+            if error.connection_invalidated:
+                raise
+            return None
         except Exception:  # which piece it was, and why, is found out one by one
             return None
 
@@ -110,6 +118,9 @@ def _attempt(connection: Connection, write: Callable[[Connection], Any]) -> Resu
     savepoint = connection.begin_nested()
     try:
         value = write(connection)
+    except DBAPIError as failure:
+        savepoint.rollback()
+        return None, StorageUnavailable(str(failure)) if isinstance(failure, OperationalError) else failure
     except Exception as failure:  # handed on to the one who asked; the others' writing stands
         savepoint.rollback()
         return None, failure

@@ -14,10 +14,9 @@ from exercises.grading import grade
 from exercises.variants import deal
 from graders import Verdict
 from server.app import create_app
-from server.settings import Settings
+from tests.conftest import Laid
 from tests.server.school import School, opened
 from tests.server.sets.conftest import Course, made
-from tests.server.stores import lay
 
 Attack = Callable[..., Verdict]
 VARIANT = deal("slider_crank", 7)
@@ -39,18 +38,15 @@ def attack() -> Attack:
 
 
 @pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
+def course(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[Course]:
     """A course whose lecturer builds sets."""
-    settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
-    lay(settings)
-    yield from made(settings)
+    yield from made(laid_for_all(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False))
 
 
 @pytest.fixture
-def client(tmp_path: Path) -> Iterator[TestClient]:
+def client(tmp_path: Path, laid: Laid) -> Iterator[TestClient]:
     """A client of a server in this process that knows one variant."""
-    settings = Settings(tmp_path, secret=SECRET)
-    lay(settings)
+    settings = laid(tmp_path, secret=SECRET)
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         reply = found.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7})
         found.headers["x-variant"] = reply.json()["id"]
@@ -58,9 +54,7 @@ def client(tmp_path: Path) -> Iterator[TestClient]:
 
 
 @pytest.fixture
-def school(tmp_path: Path) -> Iterator[School]:
+def school(tmp_path: Path, laid: Laid) -> Iterator[School]:
     """A server with a course and somebody of every role."""
-    settings = Settings(tmp_path, secret=b"a secret of the tests")
-    lay(settings)
-    with opened(settings) as found:
+    with opened(laid(tmp_path, secret=b"a secret of the tests")) as found:
         yield found

@@ -10,9 +10,8 @@ import pytest
 from starlette.testclient import TestClient
 
 from server.policy import POLICIES, CourseRole, InCourse, Role
-from server.settings import Settings
+from tests.conftest import Laid
 from tests.server.school import MEMBERS, NAMES, ROLES, School, opened
-from tests.server.stores import lay
 
 EVERYBODY = (None, *(name for name in NAMES if name != "leaver"))
 DENIALS = {"token_needed", "forbidden", "unknown_course"}
@@ -22,10 +21,8 @@ UNKNOWN = "AAAA-AAAA-AAAA"
 
 
 @pytest.fixture(scope="module")
-def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
-    settings = Settings(tmp_path_factory.mktemp("school"), secret=b"matrix", limited=False)
-    lay(settings)
-    with opened(settings) as found:
+def school(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[School]:
+    with opened(laid_for_all(tmp_path_factory.mktemp("school"), secret=b"matrix", limited=False)) as found:
         yield found
 
 

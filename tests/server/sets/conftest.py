@@ -15,9 +15,9 @@ from server.judging import JudgingThread
 from server.sets import dealing
 from server.settings import Settings
 from server.storage.sets import Card
+from tests.conftest import Laid
 from tests.server.conftest import SECRET
 from tests.server.school import School, opened
-from tests.server.stores import lay
 
 EXERCISE = "slider_crank"
 
@@ -102,8 +102,6 @@ def made(settings: Settings) -> Iterator[Course]:
 
 
 @pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
+def course(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[Course]:
     """A school that the tests of a module share."""
-    settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
-    lay(settings)
-    yield from made(settings)
+    yield from made(laid_for_all(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False))

@@ -58,7 +58,7 @@ class School:
 @pytest.fixture(scope="module", params=["sqlite", "postgres"])
 def school(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
     """A school on each database."""
-    found = request.getfixturevalue("shared_database_url") if request.param == "postgres" else None
+    found = request.getfixturevalue("postgres").empty() if request.param == "postgres" else None
     url = Settings(tmp_path_factory.mktemp("school"), database_url=found).store_url
     migrate(url)
     enrol(url, STUDENTS)

