@@ -25,6 +25,7 @@ COMMANDS = {
     "verify": "check that exercises may be published",
     "new": "start a new exercise from a template",
     "worker": "do the jobs of servers that share a PostgreSQL store",
+    "regrade": "judge again what was handed in to a task set",
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
     "user": "let somebody in by a one-time link",

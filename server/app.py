@@ -55,6 +55,8 @@ from server.marks import api as marks
 from server.marks import pages as mark_pages
 from server.passwords import Passwords
 from server.reader import admit
+from server.regrading import api as regrading
+from server.regrading import pages as regrading_pages
 from server.sets import api as task_sets
 from server.sets import handing
 from server.sets import pages as set_pages
@@ -98,6 +100,8 @@ ROUTERS = (
     job_pages.router,
     marks.router,
     mark_pages.router,
+    regrading.router,
+    regrading_pages.router,
 )
 log = logging.getLogger("grubler")
 

@@ -54,7 +54,7 @@ class JudgingThread:
 
     async def grade(self, submission: Submission, secret: bytes, **rules: Any) -> Grade:
         """Grade a submission; a failure of ours is a grade too, and the attempt is returned."""
-        return await self.run(_grade, submission, secret, **rules)
+        return await self.run(graded, submission, secret, **rules)
 
     async def apart(self, compute: Callable[..., T], tasks: Sequence[tuple[Any, ...]]) -> list[T]:
         """Compute long tasks in processes that stay for the next ones, and end when none come."""
@@ -113,7 +113,7 @@ class Processes:
             self._pool = None
 
 
-def _grade(submission: Submission, secret: bytes, **rules: Any) -> Grade:
+def graded(submission: Submission, secret: bytes, **rules: Any) -> Grade:
     try:
         return grading.grade(submission, secret, **rules)
     except grading.UnknownAnswer:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from socket import socket
+from typing import Any
 
 import uvicorn
 
@@ -15,7 +17,9 @@ from server.database import Database, secret_of
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
 from server.judging import JudgingThread
+from server.regrading import command
 from server.settings import Settings, SettingsError, check
+from server.storage.jobs import Job
 
 
 def serve(settings: Settings) -> None:
@@ -89,6 +93,21 @@ async def _work(settings: Settings, most: int) -> None:
     finally:
         judging.close()
         database.close()
+
+
+def regrade(
+    settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], *, dry_run: bool, allow_lower: bool
+) -> Job:
+    """Judge again what was handed in to a set, and tell every change; gives the job once it has ended.
+
+    Raises:
+        SettingsError: There is no such published set, or the store lacks migrations.
+    """
+    if settings.embedded:
+        migrate(settings)
+    elif not migrations.current(settings.store_url):
+        raise SettingsError("the database lacks migrations: run `grubler migrate` first")
+    return command.run(settings, task_set, tell, dry_run=dry_run, allow_lower=allow_lower)
 
 
 def migrate(settings: Settings) -> None:

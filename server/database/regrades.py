@@ -1,0 +1,105 @@
+"""What a regrade reads and writes: cards with what was handed in to them; new grades beside the old ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from itertools import groupby
+from typing import Any
+
+from sqlalchemy import Connection, Select, func, insert, select
+
+from graders.words import LANGUAGES
+from server.database.audit import note
+from server.regrading.replay import Dealt, Lot, Replayed, Work
+from server.storage.audit import Action, Entry
+from server.storage.jobs import DONE, Batch, Ending, Job, Json, Kept
+from server.tables import batches, deck, grades, slots, submissions, task_sets
+
+BATCH = 400  # submissions, about
+TIMED_OUT = "time-out "  # how the key of a collected draft begins
+STORED = (deck.c.exercise, deck.c.version, deck.c.seed, deck.c.givens)
+
+
+def pieces(connection: Connection, task_set: str) -> list[Json]:
+    """Cut what was handed in to a set into batches: first and last variant of each."""
+    number = func.count().label("number")
+    query = _of_set(select(deck.c.variant, number).join(submissions, submissions.c.variant == deck.c.variant), task_set)
+    made, size = list[Json](), BATCH
+    for variant, submitted in connection.execute(query.group_by(deck.c.variant).order_by(deck.c.variant)):
+        if size >= BATCH:
+            made.append([variant, variant])
+            size = 0
+        made[-1][1] = variant
+        size += submitted
+    return made or [["", ""]]  # nothing was handed in: one batch says so
+
+
+def _of_set(query: Select[Any], task_set: str) -> Select[Any]:
+    return query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
+
+
+def read(connection: Connection, batch: Batch) -> Lot:
+    """Read the cards of a batch, and what was handed in to them."""
+    task_set, (first, last) = batch.payload["task_set"], batch.piece
+    rules = connection.execute(select(task_sets.c.rules).where(task_sets.c.id == task_set)).scalar_one()
+    within = deck.c.variant.between(first, last)
+    asked = deck.c.shown[LANGUAGES[0]]["answers"].label("asked")
+    columns = deck.c.variant, *STORED, deck.c.reference, asked, deck.c.person, slots.c.number, slots.c.attempts
+    cards = connection.execute(_of_set(select(*columns), task_set).where(within)).mappings().all()
+    works = _works(connection, task_set, first, last)
+    dealt = (_dealt(card, works.get(card["variant"], ())) for card in cards)
+    return Lot(rules, batch.payload["allow_lower"], tuple(card for card in dealt if card.works))
+
+
+def _dealt(card: Any, works: Sequence[Work]) -> Dealt:
+    weights = {name: field["weight"] for name, field in card["asked"].items()}
+    stored = {column.name: card[column.name] for column in STORED}
+    limited = card["attempts"] is not None
+    return Dealt(stored, card["reference"], weights, card["person"], card["number"], limited, tuple(works))
+
+
+def _works(connection: Connection, task_set: str, first: str, last: str) -> dict[str, list[Work]]:
+    """Give what was handed in, by variant, each with its newest grade."""
+    given = grades.alias()
+    newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
+    columns = submissions.c.variant, submissions.c.receipt, submissions.c.answers, submissions.c.key
+    judged = grades.c.grade, grades.c.grader_version, grades.c.counted
+    query = _of_set(select(*columns, *judged).join(deck, deck.c.variant == submissions.c.variant), task_set)
+    query = query.join(grades, grades.c.id == newest).where(submissions.c.variant.between(first, last))
+    rows = connection.execute(query.order_by(submissions.c.variant, submissions.c.time, submissions.c.receipt)).all()
+    return {variant: [_work(row) for row in mine] for variant, mine in groupby(rows, lambda row: str(row.variant))}
+
+
+def _work(row: Any) -> Work:
+    collected = (row.key or "").startswith(TIMED_OUT)
+    return Work(row.receipt, row.answers, row.grade, row.grader_version, row.counted, collected)
+
+
+def write(connection: Connection, batch: Batch, outcome: Replayed) -> Kept:
+    """Keep the grades that are in force from now on; a dry run keeps none."""
+    now = datetime.now(UTC)
+    if outcome.grades and not batch.payload["dry_run"]:
+        given = [
+            {"submission": one.receipt, "grader_version": one.version, "grade": one.grade, "counted": one.counted,
+             "time": now, "reason": batch.payload["reason"] or one.effect, "job": batch.job}
+            for one in outcome.grades
+        ]  # fmt: skip
+        connection.execute(insert(grades), given)
+    return Kept({"counts": outcome.counts, "changes": list(outcome.changes)})
+
+
+def finish(connection: Connection, job: Job) -> Ending:
+    """Add up what the batches have found; a regrade that was not dry is written down in the audit log."""
+    found = batches.c.job == job.id, batches.c.state == DONE
+    total: dict[str, int] = {}
+    for counts in connection.execute(select(batches.c.result["counts"]).where(*found)).scalars():
+        total = {name: total.get(name, 0) + number for name, number in counts.items()}
+    if not job.payload["dry_run"]:
+        details = {name: total[name] for name in ("raised", "lowered", "withheld", "reworded")}
+        note(connection, Entry(job.payload["actor"], Action.REGRADED, job.subject, job.course, details))
+    return Ending(total)
+
+
+def undo(connection: Connection, job: Job) -> None:
+    """Leave the grades that were given: each is right by itself, and says which job gave it."""

@@ -1,0 +1,136 @@
+"""Judging a batch again, in a process of its own: the installed judges on what was kept of each card."""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from exercises import catalogue, grading, verifying
+from exercises.exercise import Grade, Submission, Variant
+from exercises.grading import UnknownAnswer
+from exercises.variants import restore
+from server.judging import graded
+from server.receipts import GRADE, whole
+from server.regrading.difference import Effect, difference
+from server.sets.rules import Rules, share
+from server.storage import Answers
+
+log = logging.getLogger("grubler")
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """A submission to be judged again.
+
+    Attributes:
+        grade: The grade in force.
+        version: Of the judges that gave it.
+        all: Whether all that can be read was judged, whatever stood beside: so it is with drafts that were collected.
+    """
+
+    receipt: str
+    answers: Answers
+    grade: Mapping[str, Any]
+    version: str
+    counted: bool
+    all: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Dealt:
+    """A card with what was handed in to it.
+
+    Attributes:
+        slot: Number of the task, from 1.
+        limited: Whether its attempts are limited.
+        weights: Of its answers.
+    """
+
+    stored: Mapping[str, Any]
+    reference: Mapping[str, Any]
+    weights: Mapping[str, float]
+    person: str
+    slot: int
+    limited: bool
+    works: tuple[Work, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lot:
+    """What a batch works on; plain data."""
+
+    rules: Mapping[str, Any]
+    allow_lower: bool
+    cards: tuple[Dealt, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class NewGrade:
+    """A grade that is to take the place of another, beside which it is kept."""
+
+    receipt: str
+    grade: Mapping[str, Any]
+    version: str
+    counted: bool
+    effect: str
+
+
+@dataclass(frozen=True, slots=True)
+class Replayed:
+    """What came of a batch: how many of each effect, what differs, and the grades to be kept."""
+
+    counts: Mapping[str, int]
+    changes: tuple[Mapping[str, Any], ...]
+    grades: tuple[NewGrade, ...]
+
+
+def replay(secret: bytes, lot: Lot) -> Replayed:
+    """Judge a batch again."""
+    counts = Counter[str]({effect.value: 0 for effect in Effect} | {"stale": 0, "judged": 0})
+    changes, grades = [], []
+    rules = Rules.model_validate(lot.rules)
+    for card in lot.cards:
+        for work, new, stale in _judged(secret, card, rules):
+            found = difference(work.grade, new, lot.allow_lower)
+            counts.update({found.effect.value: 1, "stale": int(stale), "judged": 1})
+            if found.effect is not Effect.SAME:
+                told = asdict(found) | {"receipt": work.receipt, "person": card.person, "slot": card.slot}
+                versions = {"old": work.version, "new": new["grader_version"], "exercise": card.stored["version"]}
+                changes.append(told | {"versions": versions | {"installed": _installed(card)}, "stale": stale})
+            if found.in_force:
+                grades.append(NewGrade(work.receipt, new, new["grader_version"], work.counted, found.effect.value))
+    return Replayed(dict(counts), tuple(changes), tuple(grades))
+
+
+def _judged(secret: bytes, card: Dealt, rules: Rules) -> Iterator[tuple[Work, dict[str, Any], bool]]:
+    """Judge what was handed in to a card; tells of each whether the exercise no longer leads to what was kept."""
+    try:
+        variant = restore(card.stored)
+        stale = not verifying.reproduced(variant, card.reference)
+    except Exception:  # the exercise has gone, or has other givens now: what was judged stays as it is
+        log.exception("exercise %s cannot judge its cards any more", card.stored["exercise"])
+        yield from ((work, dict(work.grade), True) for work in card.works)
+        return
+    kept = verifying.kept(card.reference) if stale else ()
+    for work in card.works:
+        grade = _graded(secret, variant, work, limited=card.limited and not work.all, kept=kept)
+        valued = replace(grade, score=share(grade.verdicts, card.weights, rules))
+        yield work, GRADE.dump_python(valued, mode="json"), stale
+
+
+def _graded(secret: bytes, variant: Variant, work: Work, **rules: Any) -> Grade:
+    submission = Submission(variant, whole(work.answers))
+    try:
+        return graded(submission, secret, **rules)
+    except UnknownAnswer:  # the exercise no longer asks for it
+        return grading.failed(submission)
+
+
+def _installed(card: Dealt) -> int | None:
+    try:
+        return catalogue.load(card.stored["exercise"]).exercise.version
+    except catalogue.UnknownExercise:
+        return None

@@ -1,0 +1,84 @@
+"""A lecturer looks at what a regrade would change, then regrades; by programs and on pages."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from sqlalchemy import update
+
+from server.engine import engine
+from server.tables import grades
+from tests.server.sets.conftest import Course
+
+
+@pytest.fixture(scope="module")
+def handed_in(course: Course) -> str:
+    """A set to which a student has handed in what is right, graded by judges who did not see it."""
+    number = course.published()
+    variant = course.variant(number)
+    reply = course.hand_in(variant, dict(course.card(number).reference["texts"]))
+    assert reply.json()["score"] == 1.0
+    receipt = reply.json()["receipt"]["id"]
+    wrong = {"code": "wrong", "score": 0.0, "details": None, "remarks": None}
+    store = engine(course.school.bench.settings.store_url, connections=1)
+    with store.begin() as connection:
+        grade = connection.execute(grades.select().where(grades.c.submission == receipt)).one().grade
+        older = grade | {"score": 0.5, "verdicts": grade["verdicts"] | {"l3": grade["verdicts"]["l3"] | wrong}}
+        connection.execute(update(grades).where(grades.c.submission == receipt).values(grade=older))
+    store.dispose()
+    return number
+
+
+def ended(course: Course, job: str) -> Any:
+    """Wait until a job has ended."""
+    while True:
+        found = course.lecturer.get(f"/api/v1/jobs/{job}").json()
+        if found["state"] not in ("waiting", "running"):
+            return found
+
+
+def test_a_dry_run_tells_what_a_regrade_then_does(course: Course, handed_in: str) -> None:
+    path = f"/api/v1/task-sets/{handed_in}/regrade"
+    told = []
+    for dry_run in (True, False, False):
+        reply = course.lecturer.post(path, json={"dry_run": dry_run, "reason": "l3 was\x00 misread"})
+        assert (reply.status_code, reply.json()["kind"]) == (202, "regrade"), reply.text
+        job = ended(course, reply.json()["id"])
+        assert reply.headers["location"] == f"/api/v1/jobs/{job['id']}"
+        found = course.lecturer.get(f"/api/v1/jobs/{job['id']}/changes").json()
+        told.append((job["result"]["raised"], [one["answers"][0]["name"] for one in found["changes"]], found["next"]))
+    assert told == [(1, ["l3"], None), (1, ["l3"], None), (0, [], None)]
+    mine = course.student.get(f"/api/v1/task-sets/{handed_in}").json()
+    assert mine["items"][0]["earned"] == 10
+
+
+def test_who_may_not_teach_may_not_regrade(course: Course, handed_in: str) -> None:
+    path = f"/api/v1/task-sets/{handed_in}/regrade"
+    assistant = course.school.browser("assistant")
+    assert [who.post(path, json={}).status_code for who in (course.student, assistant)] == [403, 403]
+    assert course.student.get(f"/sets/{handed_in}/regrade").status_code == 403
+    assert assistant.get(f"/sets/{handed_in}/regrade").status_code == 200
+    assert course.lecturer.post(path, json={"score": 1}).status_code == 422
+
+
+def test_a_draft_has_nothing_to_regrade(course: Course) -> None:
+    reply = course.lecturer.post(f"/api/v1/task-sets/{course.built()}/regrade", json={})
+    assert (reply.status_code, reply.json()["error"]["code"]) == (409, "set_not_published")
+
+
+def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: str) -> None:
+    path = f"/sets/{handed_in}/regrade"
+    store = engine(course.school.bench.settings.store_url, connections=1)
+    with store.begin() as connection:  # the grade of the regrade is lost: it is found again
+        connection.execute(grades.delete().where(grades.c.job.is_not(None)))
+    store.dispose()
+    reply = course.lecturer.post(path, data={"reason": "why", "then": "look"})
+    assert reply.status_code == 303
+    ended(course, reply.headers["location"].rsplit("/", 1)[1])
+    page = course.lecturer.get(f"{reply.headers['location']}?lang=en").text
+    assert f'href="{path}"' in page
+    page = course.lecturer.get(f"{path}?lang=en").text
+    assert "What would change" in page and "Student" in page and "<code>l3</code>" in page
+    assert "wrong <code>wrong</code>" in page and "right <code>right</code>" in page
+    assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
