@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import islice, pairwise
+from itertools import islice, pairwise, product
 from typing import TypeAlias
 
 from flint import arb
@@ -17,6 +17,7 @@ from graders.language.balls import precision
 from graders.language.tree import Binary, Relation, Tree
 from graders.solutions.beside import SLANT, Beside, beside
 from graders.solutions.branches import Branches, branch_starts
+from graders.solutions.descent import descended
 from graders.solutions.equations import EQUAL, UNDECIDED, Found
 from graders.solutions.scene import (
     BITS,
@@ -39,6 +40,9 @@ NUDGE = 2.0**-30  # of a range
 ASIDE = 0.43  # of the way between two borders: the middle may be a special place
 MOST_BRANCHES = 40  # points in branches, through which borders are looked for
 MOST = 6  # borders of one line
+MOST_CORNERED, CORNER = 5, 1e-3  # symbols whose corners are tested, and how far inside
+EDGE = 1e-6  # of a range: nearer to an end of it a border does not count
+STEEP = 8  # points from which a border that no line met is looked for
 INEQUALITY_WORK = 30_000
 Place: TypeAlias = tuple[int, int]  # a side and one of its residuals
 
@@ -70,6 +74,7 @@ class Regions:
         self.both = Residuals(scene, trees, self.effort)
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.trees = [tree for side in trees for tree in side]
+        self.met = set[Place]()  # residuals of which a border was met
         self.unsure, self.seen = False, 0  # points through which lines along all symbols were tested
 
     def known(self) -> Found:
@@ -85,7 +90,7 @@ class Regions:
     def compared(self) -> Found:
         """Test points inside, on the borders and between them."""
         branches = self.found.points
-        starts = [*branches, *extreme(self.scene)]
+        starts = [*branches, *extreme(self.scene), *self._corners()]
         for point in exactly(starts):
             found = self._tested(point)
             if found is not None and self._tested(self._nudged(point)) is not None:
@@ -96,6 +101,16 @@ class Regions:
         except TooMuchWork:
             return EQUAL if self.seen and not self.unsure else UNDECIDED
 
+    def _corners(self) -> Iterator[list[float]]:
+        """Give the corners of the box over the symbols that count, a little inside."""
+        used = used_symbols(self.scene, self.trees)[:MOST_CORNERED]
+        for shares in product((CORNER, 1 - CORNER), repeat=len(used)):
+            point = list(self.scene.points[0])
+            for at, share in zip(used, shares, strict=True):
+                low, high = self.scene.ranges[at]
+                point[at] = low + share * (high - low)
+            yield point
+
     def _across(self, starts: Sequence[Sequence[float]]) -> Found:
         """Test borders and stretches on lines along every symbol."""
         for start in starts:
@@ -104,7 +119,27 @@ class Regions:
                 if found is not None:
                     return found
             self.seen += 1
-        return UNDECIDED if self.unsure else EQUAL
+        return self._elsewhere() or (UNDECIDED if self.unsure else EQUAL)
+
+    def _elsewhere(self) -> Found | None:
+        """Test borders that no line has met, where steps down a slope lead to them."""
+        used = used_symbols(self.scene, self.trees)
+        for which, side in enumerate(self.sides):
+            for index in range(len(self.orders[which])):
+                starts = () if (which, index) in self.met else islice(extreme(self.scene), STEEP)
+                zeros = (descended(Side(side.pair, which, (index,)), start, used) for start in starts)
+                inner = (zero for zero in zeros if zero is not None and self._within(zero, used))
+                for zero in islice(inner, 2):
+                    found = self._on_border(which, index, zero)
+                    if found is not None:
+                        return found
+        return None
+
+    def _within(self, zero: Zero, used: Sequence[int]) -> bool:
+        """Tell whether a zero lies inside the box: what differs on its boundary alone does not decide."""
+        room = ((at, EDGE * self.scene.width(at)) for at in used)
+        ranges, point = self.scene.ranges, zero.point
+        return all(bool(point[at] > ranges[at][0] + by) and bool(point[at] < ranges[at][1] - by) for at, by in room)
 
     def _nudged(self, point: Sequence[arb]) -> list[arb]:
         """Give a point close by: what differs at a single point alone does not decide."""
@@ -114,6 +149,7 @@ class Regions:
         """Test the borders along a symbol and the stretches between them."""
         zeros = [(which, index, zero) for which, index, zero in self._zeros(start, at)]
         for which, index, zero in zeros:
+            self.met.add((which, index))
             found = self._on_border(which, index, zero)
             if found is not None:
                 return found

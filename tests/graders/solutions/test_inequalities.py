@@ -7,6 +7,7 @@ import pytest
 from graders.equality import Finding
 from graders.solutions.equations import Found
 from graders.solutions.inequalities import compare_inequalities
+from graders.solutions.scene import scene_of
 from tests.graders.effort import effort
 from tests.graders.solutions.boxes import SCENE, relation
 
@@ -66,3 +67,12 @@ def test_a_hostile_inequality_costs_little() -> None:
     long = "y < " + "+".join(f"asin(y/{k} + a)" for k in range(2, 100))
     back = "y < " + "+".join(f"asin(a + y/{k})" for k in range(99, 1, -1))
     assert effort(lambda: compared(long, back)) < 0.1
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_a_border_that_hardly_any_line_meets_is_tested_for_every_seed(seed: int) -> None:
+    ranges = {"l1": (0.04, 0.12), "l2": (0.1, 0.6), "e": (0.01, 0.09), "phi": (0.0, 6.3)}
+    scene = scene_of(tuple(ranges), tuple(ranges.values()), bytes([seed]))
+    for text in ("l1 + e < l2", "l2 - l1 - e > 1e-9", "e^2 <= (l2 - l1)^2"):
+        found = compare_inequalities(relation(text), relation("l1 + e <= l2"), scene)
+        assert found.finding is Finding.DIFFERENT
