@@ -18,8 +18,11 @@ from graders import Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
+from graders.language.tree import names as names_in
 from graders.units import read_unit
 from graders.words import common_hint, decimal, printed_unit, tolerance
+
+NUMBERS = {"quantity", "integer", "rational"}  # kinds whose answer is not the equation itself
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +155,26 @@ def hints(variant: Variant, grade: Grade, lang: str) -> tuple[str, ...]:
     """Give the hints of a grade as HTML: of the exercise's own slip, then of the common one."""
     own = (hint(variant, grade.mistake, lang),) if grade.mistake else ()
     return (*own, escape(common_hint(grade.slip, lang))) if grade.slip else own
+
+
+def ladder(variant: Variant, answer: str, lang: str) -> tuple[str, ...]:
+    """Give what helps on with a wrong answer, as HTML: the symbols of what it follows from, then its equation.
+
+    The equation stays hidden where another answer asks for it, and in a laboratory, whose work is to find the
+    equations; a step that is no formula has no ladder.
+    """
+    solved = solving.solved(variant)
+    step = solved.step_of(answer)
+    line = solved.steps.get(step)
+    if not isinstance(line, str) or solved.answers[answer].kind not in NUMBERS:
+        return ()
+    tree = parse_line(line)
+    named = names_in(tree)
+    used = [symbol_mathml(name) for name in (*numbers(variant.givens), *solved.steps) if name in named]
+    asked = {judge.kind for name, judge in solved.answers.items() if solved.step_of(name) == step}
+    told = asked <= NUMBERS and not catalogue.load(variant.exercise).exercise.report
+    equation = (_equation(step, mathml_of(tree, lang != "en")),) if told else ()
+    return (", ".join(used), *equation) if used else ()
 
 
 def hints_text(variant: Variant, grade: Grade, lang: str) -> str:

@@ -24,6 +24,7 @@ NARROW = "\u202f"  # narrow no-break space between a number and its unit
 PLACE = re.compile(r"\{\{ *(\w+) *(?:\| *unit\(\"([^\"]*)\"\) *)?\}\}")
 BLANKS = re.compile(r"[ \t\n]+")  # never the narrow space that holds number and unit together
 MATHS = re.compile(r"\$([^$]*)\$")
+QUOTIENT = re.compile(r"\d\S*\u202f[^\s/]+/[\w·²³⁴]+")
 OPEN_END = re.compile(r"<mo>((?:=|&#x0003D;)</mo>(?:</mrow>)?</math>)$")  # `$l_1 =$ 45`: a space follows
 COMMAND = re.compile(r"\\([A-Za-z]+|.)")
 ACCENT = re.compile(r"\\(d?dot)\{([^{}]*)\}")
@@ -134,13 +135,18 @@ def _runs(lines: list[str]) -> list[list[str]]:
 def inline(text: str) -> str:
     """Turn a line into HTML, `$…$` into MathML kept together with the punctuation after it."""
     pieces = MATHS.split(text)
-    shown = [escape(pieces[0], quote=False)]
+    shown = [_held(pieces[0])]
     for latex, after in zip(pieces[1::2], pieces[2::2], strict=True):
         mark = after[: len(after) - len(after.lstrip(".,;:?)"))]
         formula = mathml(latex) + mark
         shown.append(f'<span class="nowrap">{formula}</span>' if mark else formula)
-        shown.append(escape(after[len(mark) :], quote=False))
+        shown.append(_held(after[len(mark) :]))
     return "".join(shown)
+
+
+def _held(text: str) -> str:
+    """Escape a text; a number with a broken unit, as 5 m/s, stays on one line."""
+    return QUOTIENT.sub(r'<span class="nowrap">\g<0></span>', escape(text, quote=False))
 
 
 @lru_cache(maxsize=4096)

@@ -29,8 +29,17 @@ from server.sets.standing import on_page
 from server.storage import Dealt, Draft
 from server.submissions import Graded, graded, receipted, submit
 from server.templating import counted, page
-from server.variants import dealt_to, presented, restored, results_are_held, solution_is_open, solved, visible
-from server.workspace import lines
+from server.variants import (
+    dealt_to,
+    ladder_is_open,
+    presented,
+    restored,
+    results_are_held,
+    solution_is_open,
+    solved,
+    visible,
+)  # fmt: skip
+from server.workspace import laddered, lines
 
 SECTIONS = 13  # of the form of report TMM-2
 
@@ -188,6 +197,8 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
     laid = await lines(bench, variant, shown.answers, work.typed, result, reader.language)
     if catalogue.load(variant.exercise).exercise.report:
         laid = without_empty(laid)
+    if result and await ladder_is_open(bench, reader, dealt):
+        laid = await bench.judging.run(laddered, variant, laid, reader.language)
     held = await results_are_held(bench, reader, dealt)
     lab = await bench.judging.run(laboratory, variant, laid, reader.language, work.section, held)
     judged = result.verdicts.values() if result else ()

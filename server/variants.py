@@ -348,6 +348,14 @@ async def solution_is_open(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
     return reader.owner_id != dealt.owner.id or await handing.solution_is_open(bench, place)
 
 
+async def ladder_is_open(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
+    """Tell whether wrong answers may be helped on: by the rules of the set, in practice unless a set reserves it."""
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    if place is None:
+        return reader.role >= Role.LECTURER or not await bench.sets.reserved(dealt.exercise, datetime.now(UTC))
+    return reader.owner_id != dealt.owner.id or handing.rules_of(place.task_set).ladder
+
+
 async def _refuse_reserved(bench: Bench, exercise: str) -> None:
     if await bench.sets.reserved(exercise, datetime.now(UTC)):
         raise Refused(403, "reserved", opens="end_of_task_set")

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
+from exercises import presenting
 from exercises.exercise import Variant
 from exercises.presenting import Field
 from graders.language.mathml import symbol_mathml
@@ -84,6 +85,7 @@ class Line:
     span: float | None
     echo: Understood | None
     verdict: Judged | None
+    rungs: tuple[str, ...] = ()
 
     @property
     def id(self) -> str:
@@ -161,6 +163,16 @@ async def lines(
         echo = await understood(bench, variant, name, text, lang) if text.strip() else None
         laid.append(_line(number, field, text, echo, judged.get(name), getattr(variant.givens, "L", None)))
     return laid
+
+
+def laddered(variant: Variant, laid: Sequence[Line], lang: str) -> list[Line]:
+    """Put the ladder of hints under what is wrong or partly right."""
+    return [
+        replace(line, rungs=presenting.ladder(variant, line.field.name, lang))
+        if line.verdict and line.verdict.outcome in ("wrong", "partly")
+        else line
+        for line in laid
+    ]
 
 
 def _still(graded: Graded, typed: Mapping[str, str]) -> dict[str, Judged]:

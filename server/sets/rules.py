@@ -28,6 +28,7 @@ class Rules(BaseModel):
         late_loss: The share lost with each day begun.
         keep: Whether the best or the last attempt gives the points.
         hints: Whether recognised slips are named.
+        ladder: Whether a wrong answer may be helped on: first by what it follows from, then by its equation.
         solutions: When the worked solution opens.
         follow_through: What a later answer is worth that is right from an earlier wrong one.
         second_chance_of: The set to which this one is a second chance.
@@ -40,6 +41,7 @@ class Rules(BaseModel):
     late_loss: Annotated[float, Field(ge=0, le=1)] = 0.1
     keep: Literal["best", "last"] = "best"
     hints: bool = True
+    ladder: bool = False
     solutions: Literal["never", "after_last_attempt", "after_close"] = "after_close"
     follow_through: Annotated[float, Field(ge=0, le=1)] = 1.0
     second_chance_of: Annotated[str, Field(max_length=32)] | None = None

@@ -115,6 +115,19 @@ def test_a_student_sees_the_rules_and_the_points_before_the_click(course: Course
     assert "You see the result after the set closes." in course.student.get(f"{graded}&lang=en").text
 
 
+@pytest.mark.parametrize(("rules", "told"), [({}, False), ({"ladder": True}, True)])
+def test_the_ladder_of_hints_is_the_sets_to_give_and_closed_in_practice_meanwhile(
+    course: Course, rules: dict[str, bool], told: bool
+) -> None:
+    number = course.published(rules=rules)
+    assert ("They cost nothing" in course.student.get(f"/sets/{number}?lang=en").text) is told
+    practised = course.student.post(f"/exercises/{EXERCISE}", data={"seed": ""}).headers["location"]
+    for path, open_ in ((f"/variants/{course.variant(number)}", told), (practised, False)):
+        graded = course.student.post(path, data={"answer.l3": "9 m"}).headers["location"].split("#")[0]
+        assert ("Hint: what it follows from" in course.student.get(f"{graded}&lang=en").text) is open_
+    course.move(number, hours=1)
+
+
 def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> None:
     path = started(course)
     browser = {"accept": "text/html"}
