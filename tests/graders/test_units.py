@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from typing import Any
 
 import pytest
 
@@ -73,12 +74,17 @@ PINT = [
 ]
 
 
-@pytest.mark.parametrize("text", PINT)
-def test_factor_and_dimension_agree_with_pint(text: str) -> None:
+@pytest.fixture(scope="module")
+def registry() -> Any:
+    """The units of another program."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        pint = pytest.importorskip("pint")
-        quantity = pint.UnitRegistry().Quantity(1, text.replace("^", "**").replace("min", "minute")).to_base_units()
+        return pytest.importorskip("pint").UnitRegistry()
+
+
+@pytest.mark.parametrize("text", PINT)
+def test_factor_and_dimension_agree_with_pint(registry: Any, text: str) -> None:
+    quantity = registry.Quantity(1, text.replace("^", "**").replace("min", "minute")).to_base_units()
     unit = read_unit(text)
     powers = {str(key): power for key, power in quantity.dimensionality.items()}
     assert unit.factor == pytest.approx(quantity.magnitude, rel=1e-12)
