@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shlex
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -116,3 +117,12 @@ def test_each_decision_is_listed_and_says_why() -> None:
 def test_each_change_is_of_a_known_kind() -> None:
     kinds = {path.name.split(".")[1] for path in (ROOT / "changelog.d").glob("*.md")}
     assert kinds <= {"added", "changed", "fixed"}
+
+
+def test_the_guide_to_courses_calls_everything_as_the_pages_do() -> None:
+    words = tomllib.loads((ROOT / "server" / "locales" / "en.toml").read_text("utf-8"))
+    shown = {text for part in words.values() for text in part.values()}
+    guide = (DOCS / "how-to" / "run-a-course.md").read_text("utf-8").split("## Before the term")[1]
+    named = [" ".join(name.split()) for name in re.findall(r"\*([^*]+)\*", guide)]
+    assert len(named) > 15
+    assert [name for name in named if not any(text == name or text.startswith(f"{name} to {{") for text in shown)] == []
