@@ -31,7 +31,7 @@ from server.run import serve
 from server.settings import from_environment
 serve(from_environment(os.environ))
 """
-START = 30.0  # s to wait for a server
+START = 90.0  # s to wait for a server
 ARGUMENTS = [
     "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync",

@@ -1,0 +1,137 @@
+"""No finding of axe-core on the pages of people, courses and sets, dark on a phone and light on a wide screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from server.migrate import migrate
+from server.settings import Settings
+from tests.server import axe
+from tests.server.conftest import Live
+from tests.server.school import CODE
+from tests.server.sets.conftest import Course, made, moment
+from tests.server.test_browser import watched
+from tests.server.walking import follow, width
+
+COOKIE = "grubler_session"
+PEOPLE = ("administrator", "lecturer", "student")
+
+
+@dataclass(frozen=True, slots=True)
+class Campus:
+    """A running server with a course that has been worked in, and the session of each of `PEOPLE`."""
+
+    live: Live
+    paths: dict[str, str]
+    cookies: dict[str, str]
+
+
+def filled(course: Course) -> dict[str, str]:
+    """Work in the course; gives the addresses of what there is to see."""
+    school, lecturer = course.school, course.lecturer
+    place = f"/api/v1/courses/{school.course}"
+    lecturer.post(f"{place}/claims", json={"open": True})
+    lecturer.post(f"{place}/roster", json={"csv": "2001;Olga Nowa-Żółcińska;Środa\n2002;Jan;", "apply": True})
+    new = {"code": CODE, "login": "2001", "name": "Olga", "password": "a lever and a place"}
+    assert school.browser().post("/api/v1/join", json=new).status_code == 201
+    link = lecturer.post(f"{place}/members/{school.people['leaver']}/link").json()["link"]
+    draft, number = course.built(title="Draft of set 5", due=moment(days=7)), course.published(title="Set 4")
+    variant = course.variant(number)
+    course.hand_in(variant, {"l3": "1 mm"})
+    course.student.post(f"/api/v1/variants/{variant}/problems", json={"text": "The figure and the text disagree."})
+    lecturer.post("/api/v1/tokens", json={"name": "nightly grading"})
+    home = f"/courses/{school.course}"
+    return {
+        "course": home, "sets": f"{home}/sets", "log": f"{home}/audit", "draft": f"/sets/{draft}",
+        "set": f"/sets/{number}", "person": f"/people/{school.people['student']}",
+        "link": link.removeprefix(school.bench.settings.address),
+    }  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def campus(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Campus]:
+    settings = Settings(tmp_path_factory.mktemp("campus"))
+    migrate(settings.store_url)
+    for course in made(settings):
+        paths = filled(course)
+        cookies = {who: str(course.school.browser(who).cookies[COOKIE]) for who in PEOPLE}
+    live = Live(settings.data_dir)
+    live.start()
+    yield Campus(live, paths, cookies)
+    live.kill()
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser) -> Iterator[Page]:
+    context = browser.new_context(locale="en", reduced_motion="reduce")
+    yield from watched(context.new_page())
+    context.close()
+
+
+def roster_preview(page: Page) -> None:
+    page.fill("#roster", "2001;Olga Kowalska;B\n3001;Ewa;A\n3002")
+    follow(page, "form:has(#roster) button")
+    page.wait_for_selector("[role=alert]")
+
+
+def fresh_link(page: Page) -> None:
+    follow(page, "form[action$='/link'] button")
+    page.wait_for_selector("[role=status] code")
+
+
+def refused_sign_in(page: Page) -> None:
+    page.fill("#login", "student")
+    page.fill("#password", "wrong")
+    follow(page, "form:has(#password) button")
+    page.wait_for_selector("[role=alert]")
+
+
+STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
+    "sign in": (None, "/signin", refused_sign_in),
+    "join": (None, f"/join/{CODE}", None),
+    "link": (None, "link", None),
+    "home": ("lecturer", "/home", None),
+    "account": ("lecturer", "/account", None),
+    "course": ("lecturer", "course", fresh_link),
+    "roster": ("lecturer", "course", roster_preview),
+    "audit log": ("lecturer", "log", None),
+    "reports": ("lecturer", "/problems", None),
+    "sets": ("lecturer", "sets", None),
+    "builder": ("lecturer", "draft", None),
+    "published set": ("lecturer", "set", None),
+    "course of a student": ("student", "course", None),
+    "sets of a student": ("student", "sets", None),
+    "set of a student": ("student", "set", None),
+    "accounts": ("administrator", "/people", None),
+    "person": ("administrator", "person", None),
+}
+
+
+def arrive(page: Page, campus: Campus, state: str) -> None:
+    """Open the page of a state as who may see it."""
+    who, path, act = STATES[state]
+    page.context.clear_cookies()
+    if who is not None:
+        page.context.add_cookies([{"name": COOKIE, "value": campus.cookies[who], "url": campus.live.url}])
+    reply = page.goto(campus.live.url + campus.paths.get(path, path))
+    assert reply is not None and reply.status == 200, path
+    if act is not None:
+        act(page)
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_axe_finds_nothing_dark_on_a_phone_and_light_on_a_wide_screen(page: Page, campus: Campus, state: str) -> None:
+    page.emulate_media(color_scheme="dark")
+    page.set_viewport_size({"width": 360, "height": 800})
+    arrive(page, campus, state)
+    broken = axe.found(page)
+    page.emulate_media(color_scheme="light")
+    page.set_viewport_size({"width": 1360, "height": 900})
+    broken += axe.found(page, looks_only=True)
+    assert broken == [], "\n".join(broken)
+    page.set_viewport_size({"width": 320, "height": 800})
+    assert width(page) <= 320
