@@ -32,7 +32,8 @@ def run(options: Namespace) -> int:
     exercise, first = known(options.exercise), seed_of(options.seed)
     dealt = []
     for number in range(options.count):
-        dealt.append((str((first + number) % (MAX_SEED + 1)), deal(exercise, (first + number) % (MAX_SEED + 1))))
+        seed = (first + number) % (MAX_SEED + 1)
+        dealt.append(sheets.sheet(str(seed), deal(exercise, seed), options.lang))
         if (number + 1) % STEP == 0:
             print(f"{number + 1}/{options.count}", file=sys.stderr, flush=True)
     write(options.output, formats.written(sheets.sheets(dealt, options.lang), options.format))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from exercises.exercise import Variant
 from exercises.grading import reference
@@ -27,23 +28,34 @@ WORKING = 10  # lines of squared paper under the answers
 HAND = {"matrix": 4, "dh_table": 4, "polygon": 8, "rates": 3, "samples": 8, "diagram": 6, "text": 6, "function": 3}
 
 
-def sheets(dealt: Sequence[tuple[str, Variant]], language: str) -> Document:
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """What is printed of a variant: its code, what it shows, and a right text for each answer."""
+
+    code: str
+    shown: Presented
+    right: Mapping[str, str]
+
+
+def sheet(code: str, variant: Variant, language: str) -> Sheet:
+    """Make the sheet of a variant as the installed exercise shows it."""
+    return Sheet(code, presented(variant, language), reference(variant))
+
+
+def sheets(dealt: Sequence[Sheet], language: str) -> Document:
     """Print the tasks of a class, one sheet a variant, with its code.
 
     Args:
-        dealt: Codes and variants, in the order printed.
+        dealt: The sheets, in the order printed.
         language: pl, en or ru.
     """
-    blocks = [
-        block for n, (code, variant) in enumerate(dealt, 1) for block in _sheet(n, len(dealt), code, variant, language)
-    ]
-    shown = presented(dealt[0][1], language) if dealt else None
+    blocks = [block for n, one in enumerate(dealt, 1) for block in _sheet(n, len(dealt), one, language)]
     said = words(language)["sheet"]
-    return Document(said["title"], shown.title if shown else "", language, tuple(blocks), "Grübler")
+    return Document(said["title"], dealt[0].shown.title if dealt else "", language, tuple(blocks), "Grübler")
 
 
-def _sheet(number: int, of: int, code: str, variant: Variant, language: str) -> Iterator[Block]:
-    said, shown = words(language)["sheet"], presented(variant, language)
+def _sheet(number: int, of: int, printed: Sheet, language: str) -> Iterator[Block]:
+    said, shown = words(language)["sheet"], printed.shown
     if number > 1:
         yield Break()
     yield Heading(shown.title)
@@ -53,7 +65,7 @@ def _sheet(number: int, of: int, code: str, variant: Variant, language: str) -> 
             (said["name"], ""),
             (said["group"], ""),
             (said["mark"], ""),
-            (f"{said['variant']}, {said['sheet']}", f"{code}, {place}"),
+            (f"{said['variant']}, {said['sheet']}", f"{printed.code}, {place}"),
         )
     )
     yield from from_html(shown.statement_html)
@@ -75,19 +87,17 @@ def _answers(shown: Presented) -> Iterator[Block]:
             yield Ruled(HAND.get(asked.kind, 1))
 
 
-def key(dealt: Sequence[tuple[str, Variant]], language: str) -> Document:
+def key(dealt: Sequence[Sheet], language: str) -> Document:
     """Print the answers of every variant, for the lecturer only."""
     said = words(language)["sheet"]
     blocks: list[Block] = []
-    for code, variant in dealt:
-        shown = presented(variant, language)
-        blocks += [Heading(f"{said['variant']} {code}"), Bullets(tuple(_right(shown, variant)), numbered=True)]
-    title = presented(dealt[0][1], language).title if dealt else ""
+    for one in dealt:
+        blocks += [Heading(f"{said['variant']} {one.code}"), Bullets(tuple(_right(one)), numbered=True)]
+    title = dealt[0].shown.title if dealt else ""
     return Document(said["key"], title, language, tuple(blocks), f"Grübler, {said['key']}")
 
 
-def _right(shown: Presented, variant: Variant) -> Iterator[Line]:
-    right = reference(variant)
-    for name, asked in shown.answers.items():
-        text = right[name] if asked.kind != "text" else ""
+def _right(printed: Sheet) -> Iterator[Line]:
+    for name, asked in printed.shown.answers.items():
+        text = printed.right[name] if asked.kind != "text" else ""
         yield (*line_from_html(asked.prompt_html), ": ", text.replace("\n", "; "))

@@ -44,7 +44,7 @@ from server import (
 from server.bench import Bench
 from server.database import Database, secret_of
 from server.envelope import Envelope
-from server.jobs import api as jobs
+from server.jobs import api as job_api
 from server.jobs import pages as job_pages
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
@@ -62,9 +62,11 @@ from server.sets import handing
 from server.sets import pages as set_pages
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
+from server.storage.jobs import Jobs
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
 SERVER = "server"  # the worker of an embedded store: there is one
+PRINTED = timedelta(days=7)  # documents that a job has made are forgotten after
 COLLECT = 20.0  # s between two looks for examinations that are over
 PURGE = 24 * 3600.0  # s between two purges
 ROUTERS = (
@@ -96,7 +98,7 @@ ROUTERS = (
     course_pages.router,
     task_sets.router,
     set_pages.router,
-    jobs.router,
+    job_api.router,
     job_pages.router,
     marks.router,
     mark_pages.router,
@@ -161,8 +163,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
         passwords, database.sets, database.audit, database.jobs, engine, database.personal, database.marks,
     )  # fmt: skip
-    await _purge(database.practice)
-    purging = asyncio.create_task(_purge_daily(database.practice))
+    await _purge(database.practice, database.jobs)
+    purging = asyncio.create_task(_purge_daily(database.practice, database.jobs))
     collecting = asyncio.create_task(_collect(app.state.bench))
     working = asyncio.create_task(_work(settings, bureau, engine))
     try:
@@ -177,10 +179,10 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         database.close()
 
 
-async def _purge_daily(storage: Storage) -> None:
+async def _purge_daily(storage: Storage, jobs: Jobs) -> None:
     while True:
         await asyncio.sleep(PURGE)
-        await _purge(storage)
+        await _purge(storage, jobs)
 
 
 async def _work(settings: Settings, bureau: Bureau, engine: Engine) -> None:
@@ -203,8 +205,9 @@ async def _collect(bench: Bench) -> None:
             log.warning("drafts of examinations wait: %s", error)
 
 
-async def _purge(storage: Storage) -> None:
+async def _purge(storage: Storage, jobs: Jobs) -> None:
     try:
+        await jobs.forget(datetime.now(UTC) - PRINTED)
         gone = await storage.purge(datetime.now(UTC) - IDLE)
         log.info("forgot %d idle practice variants", gone)
     except StorageUnavailable as error:

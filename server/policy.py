@@ -163,6 +163,8 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/sets/{task_set}/items/{number}"): SET_STUDENT,
     ("POST", "/sets/{task_set}/extend"): SET_LECTURER,
     ("POST", "/sets/{task_set}/copy"): SET_LECTURER,
+    ("POST", "/sets/{task_set}/sheets"): SET_LECTURER,
+    ("POST", "/api/v1/task-sets/{task_set}/sheets"): SET_LECTURER,
     ("POST", "/courses/{course}/extend"): COURSE_LECTURER,
     ("POST", "/courses/{course}/copy"): COURSE_LECTURER,
     ("GET", "/sets/{task_set}/results"): SET_ASSISTANT,

@@ -34,8 +34,7 @@ class Sets:
 
     async def task_set(self, number: str) -> TaskSet | None:
         """Give a set with its slots."""
-        query = select(task_sets).where(task_sets.c.id == number)
-        return next(iter(await self._connections.read(lambda connection: _sets(connection, query))), None)
+        return await self._connections.read(lambda connection: task_set(connection, number))
 
     async def of(self, course: str) -> Sequence[TaskSet]:
         """List the sets of a course, the newest first."""
@@ -58,6 +57,13 @@ class Sets:
     async def deck(self, number: str) -> Sequence[Card]:
         """List the cards of a set by slot and number."""
         return await self._connections.read(lambda connection: deck.of_set(connection, number))
+
+    async def numbers(self, number: str) -> Sequence[tuple[int, str | None]]:
+        """List the numbers of the cards of the first task, and for whom each is kept."""
+        first = slots.c.task_set == number, slots.c.number == 1
+        query = select(cards.c.number, cards.c.person).join(slots).where(*first).order_by(cards.c.number)
+        rows = await self._connections.read(lambda connection: connection.execute(query).all())
+        return [(row.number, row.person) for row in rows]
 
     async def cards(self, number: str, person: str) -> Sequence[Card]:
         """List the cards of a student in a set by slot and turn."""
@@ -126,6 +132,11 @@ class Sets:
     async def waiting(self) -> Sequence[Waiting]:
         """List the drafts in published sets that are newer than what was handed in."""
         return await self._connections.read(attempts.waiting)
+
+
+def task_set(connection: Connection, number: str) -> TaskSet | None:
+    """Give a set with its slots."""
+    return next(iter(_sets(connection, select(task_sets).where(task_sets.c.id == number))), None)
 
 
 def _add(connection: Connection, new: TaskSet) -> None:

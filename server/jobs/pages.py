@@ -10,6 +10,8 @@ from server.courses import here
 from server.jobs.api import cancelled, job_of
 from server.policy import CourseRole
 from server.reader import Asking, admit
+from server.sets.publishing import troubles
+from server.sets.wording import said
 from server.templating import page
 
 AGAIN = "2"  # s until the page looks again
@@ -22,6 +24,7 @@ async def show_job(job: str, request: Request, bench: Tools, reader: Asking) -> 
     """Show how far a job is, and where it has led."""
     found = await job_of(bench, job)
     context = {"job": found, "course": here(reader).course, "lecturer": here(reader).role is CourseRole.LECTURER}
+    context["troubles"] = [said(reader.language, one) for one in troubles(found)]
     shown = page(request, reader.language, "job.html", context)
     if found.live:
         shown.headers["Refresh"] = AGAIN

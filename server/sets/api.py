@@ -14,13 +14,16 @@ from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import HERE, ShownCourse, here, start
 from server.errors import Failure, Refused
+from server.jobs.api import ShownJob, job_of, shown_job
 from server.policy import COURSE_LECTURER, CourseRole, Role
 from server.reader import COURSES, Asking, Reader, admit, in_course
-from server.sets import building, handing, publishing
+from server.sets import building, handing, printing, publishing
 from server.sets.building import Draft
+from server.sets.dealing import Trouble
 from server.sets.publishing import Troubled
 from server.sets.shapes import (
     ChangedTaskSet,
+    ClassSheets,
     Copied,
     CopiedCourse,
     GivenTime,
@@ -39,11 +42,13 @@ from server.sets.standing import final, standing
 from server.sets.wording import said
 from server.storage.audit import Action
 from server.storage.courses import Course
+from server.storage.jobs import FAILED, Busy, Job
 from server.storage.sets import NotADraft, Slot, TaskSet
 from server.variants import ShownVariant, shown, visible
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["task sets"])
 FROZEN: dict[int | str, dict[str, Any]] = HERE | {409: {"model": Failure}}
+WAIT = 20.0  # s that a request waits for a set to be published
 Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
 
 
@@ -93,13 +98,21 @@ async def change_set(task_set: str, body: ChangedTaskSet, bench: Tools, reader: 
     return shown_set(await building.change(bench, old, course, draft, body.revision))
 
 
-@router.post("/task-sets/{task_set}/open", responses=FROZEN)
-async def open_set(task_set: str, bench: Tools, reader: Asking) -> ShownTaskSet:
-    """Publish a draft: every card that will be dealt is drawn and checked now, then the set is frozen.
+@router.post("/task-sets/{task_set}/open", responses=FROZEN | {202: {"model": ShownTaskSet}})
+async def open_set(
+    task_set: str, response: Response, bench: Tools, reader: Asking,
+    wait: Annotated[float, Query(ge=0, le=WAIT)] = WAIT,
+) -> ShownTaskSet:  # fmt: skip
+    """Publish a draft: a job draws and checks every card that will be dealt, then the set is frozen.
 
-    Students may work from the moment at which it opens.
+    Where that takes longer than `wait` seconds, the answer is 202, the set is `publishing`, and Location leads to the
+    job. Students may work from the moment at which it opens.
     """
-    return shown_set(await published(bench, reader, await set_of(bench, reader, task_set)))
+    job = await published(bench, reader, await set_of(bench, reader, task_set), wait)
+    response.headers["Location"] = f"/api/v1/jobs/{job.id}"
+    if job.live:
+        response.status_code = 202
+    return shown_set(await set_of(bench, reader, task_set))
 
 
 @router.post(
@@ -183,11 +196,41 @@ async def print_sheets(
     cards = [card for card in await bench.sets.deck(found.id) if card.slot == slot.id][:most]
     if not cards:
         raise Refused(409, "set_is_draft")
-    dealt = [(card.code, handing.variant_of(card)) for card in cards]
-    made = await bench.judging.run(sheets.key if key else sheets.sheets, dealt, reader.language)
+    dealt = [printing.sheet(card.code, card.shown[reader.language], card.reference["texts"]) for card in cards]
+    made = await asyncio.to_thread(sheets.key if key else sheets.sheets, dealt, reader.language)
     content = await asyncio.to_thread(formats.written, made, form)
     attached = {"Content-Disposition": f'attachment; filename="{"key" if key else "sheets"}-{number}.{form}"'}
     return Response(content, media_type=formats.MEDIA[form], headers=attached)
+
+
+@router.post("/task-sets/{task_set}/sheets", status_code=202, responses=FROZEN)
+async def print_class(
+    task_set: str, response: Response, bench: Tools, reader: Asking, body: ClassSheets | None = None
+) -> ShownJob:
+    """Print all tasks of a published set for a class, as a job: sheets with codes, and the keys apart."""
+    number = await printed(bench, reader, await set_of(bench, reader, task_set), body.most if body else None)
+    response.headers["Location"] = f"/api/v1/jobs/{number}"
+    return shown_job(await job_of(bench, number))
+
+
+async def printed(bench: Bench, reader: Reader, task_set: TaskSet, most: int | None) -> str:
+    """Order the sheets of a class: as many cards of each task as are asked for, else those of the students.
+
+    Raises:
+        Refused: 409, the set is not published, or its sheets are being printed.
+    """
+    if task_set.published is None:
+        raise Refused(409, "set_is_draft")
+    numbers = await bench.sets.numbers(task_set.id)
+    kept = [number for number, person in numbers if person] or [number for number, _ in numbers]
+    cards = kept if most is None else [number for number, _ in numbers][:most]
+    person = reader.person.id if reader.person else None
+    try:
+        made = await printing.order(bench.jobs, task_set, cards, person, reader.language)
+    except Busy as other:
+        raise Refused(409, "job_under_way", number=str(other)) from None
+    bench.engine.wake()
+    return made
 
 
 async def copied(bench: Bench, reader: Reader, title: str, days: int) -> Course:
@@ -234,22 +277,31 @@ def slot_of(task_set: TaskSet, number: int) -> Slot:
     return task_set.slots[number - 1]
 
 
-async def published(bench: Bench, reader: Reader, task_set: TaskSet) -> TaskSet:
-    """Publish a draft.
+async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: float) -> Job:
+    """Publish a draft; gives the job, which may be under way still after the seconds that it was waited for.
 
     Raises:
-        Refused: 409, it is published already or was changed meanwhile; 422, why it cannot be published.
+        Refused: 409, it is published already or was changed meanwhile; 422, why it cannot be published; 500, our fault.
     """
     if task_set.published:
         raise Refused(409, "set_frozen")
     try:
-        return await publishing.publish(bench, task_set, actor_of(reader))
-    except NotADraft:
+        person = reader.person.id if reader.person else None
+        number = await publishing.order(bench, task_set, actor_of(reader), person)
+    except (NotADraft, Busy):
         raise Refused(409, "set_changed") from None
     except Troubled as error:
-        trouble = error.troubles[0]
-        field = f"items.{trouble.slot}" if trouble.slot else "items"
-        raise Refused(422, "set_troubled", field=field, said=said(reader.language, trouble)) from None
+        raise _troubled(reader, error.troubles[0]) from None
+    job = await publishing.waited(bench, number, seconds)
+    if job.state == FAILED:
+        troubles = publishing.troubles(job)
+        raise _troubled(reader, troubles[0]) if troubles else Refused(500, "our_fault")
+    return job
+
+
+def _troubled(reader: Reader, trouble: Trouble) -> Refused:
+    field = f"items.{trouble.slot}" if trouble.slot else "items"
+    return Refused(422, "set_troubled", field=field, said=said(reader.language, trouble))
 
 
 async def own_variant(bench: Bench, reader: Reader, task_set: TaskSet, slot: Slot, another: bool) -> str:

@@ -82,7 +82,7 @@ async def change(bench: Bench, old: TaskSet, course: Course, draft: Draft, revis
 
 
 def _not_a_draft(old: TaskSet) -> Refused:
-    return Refused(409, "set_frozen" if old.state == PUBLISHED else "set_changed", field="revision")
+    return Refused(409, "set_changed" if old.state == DRAFT else "set_frozen", field="revision")
 
 
 def _made(number: str, course: Course, draft: Draft, revision: int, created: datetime) -> TaskSet:

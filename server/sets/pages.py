@@ -21,16 +21,17 @@ from server.errors import Refused
 from server.exercises import sample
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
-from server.sets import building, clock
-from server.sets.api import copied, listed, own_variant, published, set_of, slot_of
+from server.sets import building, clock, publishing
+from server.sets.api import copied, listed, own_variant, printed, published, set_of, slot_of
 from server.sets.building import Draft
 from server.sets.form import draft_of_form, written
 from server.sets.previewing import preview
 from server.sets.standing import final, standing
-from server.storage.sets import TaskSet
+from server.storage.sets import PUBLISHING, TaskSet
 from server.templating import page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+PATIENCE = 2.0  # s that a person waits for a set to be published without seeing how far it is
 Seed = Annotated[int, Query(ge=0, le=MAX_SEED)]
 Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
 
@@ -81,7 +82,9 @@ async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking
     draft = _checked(draft_of_form(values))
     new = await building.change(bench, old, here(reader).course, draft, int(revision))
     if values.get("then") == "publish":
-        await published(bench, reader, new)
+        job = await published(bench, reader, new, PATIENCE)
+        if job.live:
+            return RedirectResponse(f"/jobs/{job.id}", 303)
     return RedirectResponse(f"/sets/{new.id}", 303)
 
 
@@ -120,6 +123,13 @@ async def copy_course(course: str, request: Request, bench: Tools, reader: Askin
     return RedirectResponse(f"/courses/{made.id}", 303)
 
 
+@router.post("/sets/{task_set}/sheets")
+async def print_class(task_set: str, bench: Tools, reader: Asking) -> Response:
+    """Print all tasks for the class and go to the progress."""
+    number = await printed(bench, reader, await set_of(bench, reader, task_set), None)
+    return RedirectResponse(f"/jobs/{number}", 303)
+
+
 @router.post("/sets/{task_set}/copy")
 async def copy_set(task_set: str, bench: Tools, reader: Asking) -> Response:
     """Copy a set as a draft and go there."""
@@ -156,6 +166,7 @@ async def _builder(
         "task_set": found,
         "written": written(found, place),
         "lecturer": here(reader).role is CourseRole.LECTURER,
+        "job": await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None,
         "students": len(await bench.sets.students(found.course)),
         "slot": slot,
         "seed": seed,

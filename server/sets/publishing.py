@@ -1,20 +1,24 @@
-"""Publishing a set: every slot is drawn and checked, then deck and state are stored together."""
+"""Publishing a set: a job draws and checks every slot, then the set may be used."""
 
 from __future__ import annotations
 
-from collections import Counter
+import asyncio
 from collections.abc import Sequence
-from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 
 from server import ids
 from server.bench import Bench
+from server.database import decks
 from server.sets import dealing
 from server.sets.dealing import Drawn, Plan, Trouble
-from server.storage.audit import Action, Entry
-from server.storage.sets import PUBLISHED, Card, Slot, TaskSet
+from server.sets.planning import planned, stored
+from server.storage.jobs import Job, Kind, Order
+from server.storage.sets import Slot, TaskSet
 
-CODE = 9  # signs of a code, such as 7F3K-2M0Q
+NAME = "publish"
+PUBLISH = Kind(NAME, decks.read, dealing.prepare, decks.write, decks.finish, decks.undo)
+LOOK = 0.05  # s between two looks at a job that is waited for
 
 
 class Troubled(ValueError):
@@ -25,60 +29,40 @@ class Troubled(ValueError):
         self.troubles = tuple(troubles)
 
 
-async def publish(bench: Bench, task_set: TaskSet, actor: str) -> TaskSet:
-    """Deal the deck of a draft and publish it.
+async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None) -> str:
+    """Order the publishing of a draft, which is frozen from now on; gives the number of the job.
 
     Raises:
-        Troubled: Some slot cannot be published.
+        Troubled: It has no tasks.
         NotADraft: It is published already, or has changed meanwhile.
+        Busy: It is being published.
     """
-    cards, troubles = await dealt(bench, task_set)
-    if troubles:
-        raise Troubled(troubles)
-    now = datetime.now(UTC)
-    entry = Entry(actor, Action.SET_PUBLISHED, task_set.id, task_set.course, {"cards": len(cards)})
-    await bench.sets.publish(task_set.id, task_set.revision, cards, now, entry)
-    return replace(task_set, state=PUBLISHED, published=now)
-
-
-async def dealt(bench: Bench, task_set: TaskSet) -> tuple[list[Card], list[Trouble]]:
-    """Draw the deck of a draft without storing it; gives the cards, and what stands against publishing."""
+    if not task_set.slots:
+        raise Troubled([Trouble(0, "empty")])
     roster = await bench.sets.students(task_set.course)
-    plans = planned(task_set, dealing.seats(roster))
-    if not plans:
-        return [], [Trouble(0, "empty")]
-    prepared = await bench.judging.apart(dealing.prepare, [(bench.secret, plan) for plan in plans])
-    members = set(roster)
-    cards = [
-        stored(plan.slot, number, one, one.seat if one.seat in members else None)
-        for plan, (drawn, _) in zip(plans, prepared, strict=True)
-        for number, one in enumerate(drawn, 1)
-    ]
-    return cards, [trouble for _, trouble in prepared if trouble]
+    payload = {"task_set": task_set.id, "roster": roster, "seats": dealing.seats(roster), "actor": actor}
+    numbers = [slot.number for slot in task_set.slots]
+    made = Order(ids.new(), NAME, task_set.id, task_set.course, payload, numbers, person, datetime.now(UTC))
+    await bench.jobs.start(made, partial(decks.begin, number=task_set.id, revision=task_set.revision))
+    bench.engine.wake()
+    return made.id
 
 
-def planned(task_set: TaskSet, seats: tuple[str, ...]) -> list[Plan]:
-    """Plan the slots of a set; slots of one pool take turns in it."""
-    places: Counter[frozenset[str]] = Counter()
-    plans = []
-    for slot in task_set.slots:
-        pool = frozenset(slot.pool)
-        plans.append(_plan(task_set, slot, seats, places[pool]))
-        places[pool] += 1
-    return plans
+async def waited(bench: Bench, number: str, seconds: float) -> Job:
+    """Give a job once it has ended, or as it is after some time."""
+    clock = asyncio.get_running_loop().time
+    end = clock() + seconds
+    while True:
+        job = await bench.jobs.job(number)
+        assert job is not None
+        if not job.live or clock() > end:
+            return job
+        await asyncio.sleep(LOOK)
 
 
-def _plan(task_set: TaskSet, slot: Slot, seats: tuple[str, ...], place: int) -> Plan:
-    return Plan(slot.id, slot.number, slot.pool, slot.limits, seats, task_set.id, place)
-
-
-def stored(slot: str, number: int, drawn: Drawn, person: str | None) -> Card:
-    """Make the card of a slot from what was drawn."""
-    return Card(
-        id=ids.new(), slot=slot, number=number, code=ids.new()[:CODE], exercise=drawn.exercise, version=drawn.version,
-        seed=drawn.seed, givens=drawn.givens, shown=drawn.shown, reference=drawn.reference, person=person, turn=1,
-        variant=None, dealt=None,
-    )  # fmt: skip
+def troubles(job: Job) -> list[Trouble]:
+    """Give what stood against publishing."""
+    return [Trouble(**told) for told in (job.result or {}).get("troubles", ())]
 
 
 async def one_more(bench: Bench, task_set: TaskSet, slot: Slot) -> None:

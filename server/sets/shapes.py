@@ -59,6 +59,12 @@ class Copied(Strict):
     days: Days = 0
 
 
+class ClassSheets(Strict):
+    """How many cards of each task are printed; without a number, those of the students."""
+
+    most: Annotated[StrictInt, Field(ge=1, le=1000)] | None = None
+
+
 class CopiedCourse(Copied):
     """The title of a new course that gets copies of all sets, and by how many days their dates move."""
 

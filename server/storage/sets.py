@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from server.storage.audit import Entry
 from server.storage.practice import Answers, Marked
 
-DRAFT, PUBLISHED = "draft", "published"
+DRAFT, PUBLISHING, PUBLISHED = "draft", "publishing", "published"
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +32,7 @@ class TaskSet:
 
     Attributes:
         rules: The rules as JSON values.
-        state: draft or published.
+        state: draft, publishing (its deck is being dealt) or published.
         revision: Grows with every change of the draft.
     """
 
@@ -161,6 +161,10 @@ class Sets(Protocol):
 
     async def deck(self, number: str) -> Sequence[Card]:
         """List the cards of a set by slot and number."""
+        ...
+
+    async def numbers(self, number: str) -> Sequence[tuple[int, str | None]]:
+        """List the numbers of the cards of the first task, and for whom each is kept."""
         ...
 
     async def cards(self, number: str, person: str) -> Sequence[Card]:

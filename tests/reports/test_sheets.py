@@ -13,11 +13,13 @@ from exercises.presenting import presented
 from reports import formats, sheets
 from reports.document import Break, Document, Drawing, Facts, Heading, Paragraph, from_html, plain
 
-Dealt = list[tuple[str, Variant]]
 
-
-def dealt(exercise: str, count: int = 3) -> Dealt:
+def dealt(exercise: str, count: int = 3) -> list[tuple[str, Variant]]:
     return [(f"K{seed}", variants.deal(exercise, seed)) for seed in range(count)]
+
+
+def printed(exercise: str, count: int, language: str) -> list[sheets.Sheet]:
+    return [sheets.sheet(code, variant, language) for code, variant in dealt(exercise, count)]
 
 
 def facts(document: Document) -> list[str]:
@@ -27,23 +29,22 @@ def facts(document: Document) -> list[str]:
 @pytest.mark.parametrize("exercise", catalogue.ids())
 @pytest.mark.parametrize("language", ["pl", "ru"])
 def test_every_exercise_can_be_printed(exercise: str, language: str) -> None:
-    made = sheets.sheets(dealt(exercise, 1), language)
+    made = sheets.sheets(printed(exercise, 1, language), language)
     assert any(isinstance(block, Drawing) for block in made.blocks)
     assert formats.written(made, "pdf").startswith(b"%PDF-")
 
 
 def test_each_sheet_has_its_code_its_place_and_the_numbers_of_its_variant() -> None:
-    one, two, three = dealt("slider_crank")
-    made = sheets.sheets([one, two, three], "pl")
+    made = sheets.sheets(printed("slider_crank", 3, "pl"), "pl")
     assert [value for value in facts(made) if value] == ["K0, 1 z 3", "K1, 2 z 3", "K2, 3 z 3"]
     assert sum(isinstance(block, Break) for block in made.blocks) == 2
-    for _, variant in (one, two, three):
+    for _, variant in dealt("slider_crank"):
         for block in from_html(presented(variant, "pl").statement_html):
             assert block in made.blocks
 
 
 def test_the_key_is_a_document_of_its_own_with_answers_that_are_right() -> None:
-    made = sheets.key(dealt("gear_train", 2), "en")
+    made = sheets.key(printed("gear_train", 2, "en"), "en")
     assert [block.text for block in made.blocks if isinstance(block, Heading)] == ["Variant K0", "Variant K1"]
     written = formats.written(made, "typ").decode()
     for _, variant in dealt("gear_train", 2):
@@ -53,13 +54,13 @@ def test_the_key_is_a_document_of_its_own_with_answers_that_are_right() -> None:
 
 @pytest.mark.parametrize("exercise", ["simple_beam", "rrr_matrices", "tmm2_oop"])
 def test_no_reference_stands_on_a_sheet(exercise: str) -> None:
-    written = formats.written(sheets.sheets(dealt(exercise, 2), "en"), "typ").decode()
+    written = formats.written(sheets.sheets(printed(exercise, 2, "en"), "en"), "typ").decode()
     for _, variant in dealt(exercise, 2):
         numbers = [number for text in reference(variant).values() for number in re.findall(r"\d+\.\d{4,}", text)]
         assert numbers and not [number for number in numbers if number in written]
 
 
 def test_a_prompt_stands_with_its_unit_before_the_room_to_answer() -> None:
-    made = sheets.sheets(dealt("slider_crank", 1), "en")
+    made = sheets.sheets(printed("slider_crank", 1, "en"), "en")
     asked = presented(variants.deal("slider_crank", 0), "en").answers["l3"]
     assert any(isinstance(b, Paragraph) and plain(b.line).endswith(f"[{asked.unit_text}]") for b in made.blocks)

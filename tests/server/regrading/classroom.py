@@ -19,7 +19,7 @@ from server.jobs.working import Bureau, work
 from server.judging import graded
 from server.regrading import job as regrade
 from server.sets import dealing
-from server.sets.publishing import stored
+from server.sets.planning import stored
 from server.sets.rules import Rules, share
 from server.storage.jobs import Job
 from server.storage.sets import Card

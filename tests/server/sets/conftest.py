@@ -12,7 +12,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from server.judging import JudgingThread
-from server.sets import dealing
+from server.sets import dealing, pages
 from server.settings import Settings
 from server.storage.sets import Card
 from tests.conftest import Laid
@@ -98,6 +98,7 @@ def made(settings: Settings) -> Iterator[Course]:
     with pytest.MonkeyPatch.context() as patch, opened(settings) as school:
         patch.setattr(dealing, "LEAST_CARDS", 4)
         patch.setattr(JudgingThread, "apart", in_this_process)
+        patch.setattr(pages, "PATIENCE", 60.0)  # a slow machine is no reason to look at the job
         yield Course(school)
 
 
