@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Select, func, insert, select
+from sqlalchemy import Connection, Select, func, insert, or_, select
 
 from server.database.audit import noting
 from server.database.connections import Connections
@@ -13,7 +13,8 @@ from server.language import DEFAULT
 from server.storage import Draft, Handed
 from server.storage.audit import Entry
 from server.storage.marks import DealtCard, Mark, Progress
-from server.tables import deck, drafts, marks, slots, submissions
+from server.storage.sets import Line
+from server.tables import attempts, deck, drafts, grades, marks, slots, submissions
 
 CARD = (
     deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,
@@ -52,7 +53,12 @@ class Marks:
     async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
         """List the cards that were opened in a set, by slot and turn."""
         query = _within(select(*CARD), task_set, person).where(deck.c.variant.is_not(None))
-        return [DealtCard(**row) for row in await self._rows(query.order_by(slots.c.number, deck.c.turn))]
+        ordered = query.order_by(slots.c.number, deck.c.turn)
+        return await self._connections.read(lambda connection: [DealtCard(*row) for row in connection.execute(ordered)])
+
+    async def lines(self, task_set: str, person: str | None = None) -> Sequence[Line]:
+        """List the submissions to a set in the order received, with the verdicts of those alone that need them."""
+        return await self._connections.read(lambda connection: _lines(connection, task_set, person))
 
     async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
         """List what was handed in to a set in the order received."""
@@ -85,6 +91,34 @@ class Marks:
 def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
     found = query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
     return found if person is None else found.where(deck.c.person == person)
+
+
+def _lines(connection: Connection, task_set: str, person: str | None) -> list[Line]:
+    """Read the score of each submission, and the whole grade where some answer is marked or may be left open: what did
+    not count may be all undecided or our fault."""
+    graded = _graded(select(submissions.c.receipt, grades.c.grade), task_set, person)
+    marked = submissions.c.receipt.in_(select(marks.c.submission).where(marks.c.answer.is_not(None)))
+    needed = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean(), marked)
+    whole = {receipt: grade for receipt, grade in connection.execute(graded.where(needed))}
+    light = select(
+        deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
+        grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
+    )  # fmt: skip
+    query = _graded(light, task_set, person).outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
+    return [
+        Line(slot, who, variant, receipt, at, whole.get(receipt) or {"score": score, "verdicts": {}}, counted, attempt)
+        for slot, who, variant, receipt, at, score, counted, attempt in connection.execute(
+            query.order_by(submissions.c.time, submissions.c.receipt)
+        )
+    ]
+
+
+def _graded(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
+    """Join submissions with their cards and their newest grades."""
+    given = grades.alias()
+    newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
+    joined = query.select_from(submissions).join(deck, deck.c.variant == submissions.c.variant)
+    return _within(joined.join(grades, grades.c.id == newest), task_set, person)
 
 
 def _mark(row: Mapping[str, Any]) -> Mark:

@@ -32,18 +32,18 @@ def whole(given: Given) -> Mark | None:
 
 def earned(line: Line, given: Given, weights: Mapping[str, float], rules: Rules) -> float:
     """Give the share that a submission earns: by the mark of the whole, else by answers, marked ones as marked."""
+    if not given:
+        return float(line.grade["score"])
     mark = whole(given)
     if mark is not None and mark.share is not None:
         return mark.share
-    if not given:
-        return float(line.grade["score"])
     total = sum(weights[name] * _answer(verdict, given.get(name), rules) for name, verdict in _verdicts(line))
     return round(total / sum(weights.values()), PLACES)
 
 
 def left_open(line: Line, given: Given) -> list[str]:
     """List the answers of a submission that the lecturer has still to settle."""
-    if whole(given) is not None:
+    if not line.grade["verdicts"] or whole(given) is not None:
         return []
     return [name for name, verdict in _verdicts(line) if verdict["code"] in OPEN and name not in given]
 

@@ -91,7 +91,7 @@ async def _is_open(bench: Bench, marked: Marked, answer: str | None) -> bool:
 async def waiting(bench: Bench, task_set: TaskSet) -> list[Left]:
     """List what the lecturer has still to settle in a set, equal texts together."""
     marks = by_submission(await bench.marks.of(task_set.id))
-    lines = await bench.sets.ledger(task_set.id)
+    lines = await bench.marks.lines(task_set.id)
     opened = [(line, name) for line in lines for name in left_open(line, marks.get(line.receipt, {}))]
     handed = {one.receipt: one for one in await bench.marks.handed(task_set.id)} if opened else {}
     numbers = {slot.id: slot.number for slot in task_set.slots}

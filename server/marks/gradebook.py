@@ -11,7 +11,7 @@ from graders import Code
 from server.bench import Bench
 from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
 from server.sets.handing import rules_of
-from server.sets.rules import Rules, Window, combined, kept, result, window
+from server.sets.rules import Rules, Window, combined, kept, reached, window
 from server.storage.courses import Member
 from server.storage.marks import DealtCard
 from server.storage.sets import Line, Slot, TaskSet
@@ -151,7 +151,7 @@ async def material(
     marks = await bench.marks.of(task_set.id, person)
     by_answer = any(mark.answer is not None for mark in marks)
     return Material(
-        task_set, everybody, await bench.sets.ledger(task_set.id, person),
+        task_set, everybody, await bench.marks.lines(task_set.id, person),
         await bench.marks.dealt(task_set.id, person),
         await bench.sets.accommodations(task_set.id), by_submission(marks),
         await bench.marks.weights(task_set.id, person) if by_answer else {},
@@ -198,7 +198,8 @@ def _row(
 def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Material, own: Window, rules: Rules) -> Cell:
     """Compute a task of a student."""
     ledger = entries(lines, found.marks, found.weights, rules)
-    share, best = result(ledger, own.due, rules), kept(ledger, own.due, rules)
+    best = kept(ledger, own.due, rules)
+    share = None if best is None else reached(best, own.due, rules)
     codes = {
         line.grade["verdicts"][name]["code"]
         for line in unsettled(lines, found.marks, best, share, rules)

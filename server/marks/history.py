@@ -83,7 +83,7 @@ async def history(bench: Bench, task_set: TaskSet, person: str) -> History:
             tuple(mark for mark in marks if mark.submission == line.receipt),
             tuple(left_open(line, given.get(line.receipt, NONE))),
         )
-        for line in found.lines
+        for line in await bench.sets.ledger(task_set.id, person)
     ]  # fmt: skip
     cards = [card for card in await bench.sets.cards(task_set.id, person) if card.variant]
     spoken = row.member.person.language or DEFAULT

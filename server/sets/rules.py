@@ -144,7 +144,12 @@ class Entry:
 def result(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> float | None:
     """Give the share of a slot's points that its ledger earns; None where nothing was judged."""
     entry = kept(ledger, due, rules)
-    return None if entry is None else round(entry.share * worth(entry.time, due, rules), PLACES)
+    return None if entry is None else reached(entry, due, rules)
+
+
+def reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
+    """Give the share of a slot's points that a submission reaches with its lateness."""
+    return round(entry.share * worth(entry.time, due, rules), PLACES)
 
 
 def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry | None:

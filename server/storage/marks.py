@@ -9,6 +9,7 @@ from typing import Protocol
 
 from server.storage.audit import Entry
 from server.storage.practice import Draft, Handed
+from server.storage.sets import Line
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +81,11 @@ class Marks(Protocol):
 
     async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
         """List the cards that were opened in a set, by slot and turn."""
+        ...
+
+    async def lines(self, task_set: str, person: str | None = None) -> Sequence[Line]:
+        """List the submissions to a set in the order received; the grade holds its verdicts only where some answer is
+        marked or may be left open, else its score alone."""
         ...
 
     async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
