@@ -29,7 +29,7 @@ COMMANDS = {
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
     "user": "let somebody in by a one-time link",
-    "export": "write all that is kept of a person",
+    "export": "write all that is kept of a person, or the marks of a set or course",
     "erase": "erase a person; marks stay without a name",
     "backup": "copy the embedded store",
     "restore": "take a copy of the embedded store back",

@@ -152,6 +152,8 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("GET", "/api/v1/task-sets/{task_set}/gradebook"): SET_ASSISTANT,
     ("GET", "/api/v1/courses/{course}/gradebook"): COURSE_ASSISTANT,
     ("GET", "/api/v1/task-sets/{task_set}/progress"): SET_ASSISTANT,
+    ("GET", "/api/v1/task-sets/{task_set}/marks.{form}"): SET_ASSISTANT,
+    ("GET", "/api/v1/courses/{course}/marks.{form}"): COURSE_ASSISTANT,
     ("GET", "/api/v1/task-sets/{task_set}/students/{person}"): SET_ASSISTANT,
     ("POST", "/api/v1/task-sets/{task_set}/marks"): SET_ASSISTANT,
     ("GET", "/api/v1/task-sets/{task_set}/open-answers"): SET_ASSISTANT,

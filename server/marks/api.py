@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from fastapi import APIRouter, Depends
+import asyncio
+from typing import Any
 
-from server.bench import Tools
-from server.courses import HERE
-from server.marks import giving, gradebook
+from fastapi import APIRouter, Depends, Response
+
+from server import audit
+from server.bench import Bench, Tools
+from server.courses import HERE, here
+from server.marks import export, giving, gradebook
 from server.marks.giving import NewMark, Settling
 from server.marks.history import history
 from server.marks.shapes import (
@@ -24,10 +28,12 @@ from server.marks.shapes import (
     shown_left,
     shown_mark,
 )
-from server.reader import Asking, admit
+from server.reader import Asking, Reader, admit
 from server.sets.api import set_of
+from server.storage.audit import Action
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["marks"])
+FILES: dict[int | str, dict[str, Any]] = HERE | {200: {"content": {kind: {} for kind in export.MEDIA.values()}}}
 
 
 @router.get("/task-sets/{task_set}/gradebook", responses=HERE)
@@ -40,6 +46,35 @@ async def show_gradebook(task_set: str, bench: Tools, reader: Asking) -> ShownGr
 async def show_course_gradebook(course: str, bench: Tools) -> CourseGradebook:
     """Give the points of all students in the published sets of a course, the oldest set first."""
     return course_gradebook(await gradebook.of_course(bench, course))
+
+
+@router.get("/task-sets/{task_set}/marks.{form}", response_class=Response, responses=FILES)
+async def export_set(
+    task_set: str, form: export.Form, bench: Tools, reader: Asking, separator: export.Separator = "comma"
+) -> Response:
+    """Export the marks of a set as CSV or XLSX; with semicolons numbers have a decimal comma."""
+    found = await gradebook.gradebook(bench, await set_of(bench, reader, task_set))
+    return await _file(bench, reader, export.of_set(found, here(reader).course.title, reader.language), form, separator)
+
+
+@router.get("/courses/{course}/marks.{form}", response_class=Response, responses=FILES)
+async def export_course(
+    course: str, form: export.Form, bench: Tools, reader: Asking, separator: export.Separator = "comma"
+) -> Response:
+    """Export the marks of all published sets of a course as CSV or XLSX."""
+    found = await gradebook.of_course(bench, course)
+    table = export.of_course(found, here(reader).course.title, reader.language)
+    return await _file(bench, reader, table, form, separator)
+
+
+async def _file(
+    bench: Bench, reader: Reader, table: export.Table, form: export.Form, separator: export.Separator
+) -> Response:
+    content = await asyncio.to_thread(export.written, table, form, separator)
+    course = here(reader).course.id
+    await bench.audit.note(audit.entry(reader, Action.MARKS_EXPORTED, course, students=len(table.rows)))
+    attached = {"Content-Disposition": f'attachment; filename="marks.{form}"', "Cache-Control": "no-store"}
+    return Response(content, media_type=export.MEDIA[form], headers=attached)
 
 
 @router.get("/task-sets/{task_set}/progress", responses=HERE)

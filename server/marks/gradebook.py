@@ -6,15 +6,34 @@ import asyncio
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from typing import Protocol
 
 from graders import Code
-from server.bench import Bench
 from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
 from server.sets.handing import rules_of
 from server.sets.rules import Rules, Window, combined, kept, reached, window
-from server.storage.courses import Member
-from server.storage.marks import DealtCard
-from server.storage.sets import Line, Slot, TaskSet
+from server.storage.courses import Courses, Member
+from server.storage.marks import DealtCard, Marks
+from server.storage.sets import Line, Sets, Slot, TaskSet
+
+
+class Store(Protocol):
+    """Where a gradebook is read from: a running server, or the store alone."""
+
+    @property
+    def sets(self) -> Sets:
+        """Task sets."""
+        ...
+
+    @property
+    def marks(self) -> Marks:
+        """Marks by hand."""
+        ...
+
+    @property
+    def courses(self) -> Courses:
+        """Courses."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,48 +132,48 @@ class Material:
     weights: Weights
 
 
-async def gradebook(bench: Bench, task_set: TaskSet) -> Gradebook:
+async def gradebook(store: Store, task_set: TaskSet) -> Gradebook:
     """Compute the gradebook of a set."""
-    return await _of(bench, task_set, await students(bench, task_set.course))
+    return await _of(store, task_set, await students(store, task_set.course))
 
 
-async def of_course(bench: Bench, course: str) -> list[Gradebook]:
+async def of_course(store: Store, course: str) -> list[Gradebook]:
     """Compute the gradebooks of the published sets of a course, the oldest first."""
-    everybody = await students(bench, course)
-    sets = [one for one in reversed(await bench.sets.of(course)) if one.published]
-    return [await _of(bench, one, everybody) for one in sets]
+    everybody = await students(store, course)
+    sets = [one for one in reversed(await store.sets.of(course)) if one.published]
+    return [await _of(store, one, everybody) for one in sets]
 
 
-async def students(bench: Bench, course: str) -> list[tuple[Member, str]]:
+async def students(store: Store, course: str) -> list[tuple[Member, str]]:
     """List the students of a course with the names of their groups, by group and name; without one, last."""
-    names = {group.id: group.name for group in await bench.courses.groups(course)}
-    found = [one for one in await bench.courses.members(course) if one.role == "student"]
+    names = {group.id: group.name for group in await store.courses.groups(course)}
+    found = [one for one in await store.courses.members(course) if one.role == "student"]
     named = [(one, names.get(one.group or "", "")) for one in found]
     return sorted(named, key=lambda one: (not one[1], one[1].casefold(), one[0].person.name.casefold()))
 
 
-async def _of(bench: Bench, task_set: TaskSet, everybody: Sequence[tuple[Member, str]]) -> Gradebook:
-    found = await asyncio.to_thread(computed, await material(bench, task_set, everybody))
+async def _of(store: Store, task_set: TaskSet, everybody: Sequence[tuple[Member, str]]) -> Gradebook:
+    found = await asyncio.to_thread(computed, await material(store, task_set, everybody))
     before = rules_of(task_set).second_chance_of
-    first = await bench.sets.task_set(before) if before else None
+    first = await store.sets.task_set(before) if before else None
     if first is None:
         return found
-    earlier = await asyncio.to_thread(computed, await material(bench, first, everybody))
+    earlier = await asyncio.to_thread(computed, await material(store, first, everybody))
     shares = {row.member.person.id: row.share for row in earlier.rows}
     return replace(found, rows=tuple(_weighed(row, shares) for row in found.rows))
 
 
 async def material(
-    bench: Bench, task_set: TaskSet, everybody: Sequence[tuple[Member, str]], person: str | None = None
+    store: Store, task_set: TaskSet, everybody: Sequence[tuple[Member, str]], person: str | None = None
 ) -> Material:
     """Read what a gradebook is computed from, of all students or one."""
-    marks = await bench.marks.of(task_set.id, person)
+    marks = await store.marks.of(task_set.id, person)
     by_answer = any(mark.answer is not None for mark in marks)
     return Material(
-        task_set, everybody, await bench.marks.lines(task_set.id, person),
-        await bench.marks.dealt(task_set.id, person),
-        await bench.sets.accommodations(task_set.id), by_submission(marks),
-        await bench.marks.weights(task_set.id, person) if by_answer else {},
+        task_set, everybody, await store.marks.lines(task_set.id, person),
+        await store.marks.dealt(task_set.id, person),
+        await store.sets.accommodations(task_set.id), by_submission(marks),
+        await store.marks.weights(task_set.id, person) if by_answer else {},
     )  # fmt: skip
 
 

@@ -34,7 +34,7 @@ def with_open_answer(course: Course, patch: pytest.MonkeyPatch, number: str, ver
 
     def undecided(*args: Any, **rules: Any) -> Grade:
         found = judge(*args, **rules)
-        return replace(found, verdicts={**found.verdicts, "omega2_formula": verdict})
+        return replace(found, provisional=True, verdicts={**found.verdicts, "omega2_formula": verdict})
 
     variant = course.variant(number)
     answers = reference(handing.variant_of(course.card(number)))
