@@ -32,6 +32,7 @@ class Code(StrEnum):
     WRONG_UNIT = "wrong_unit"
     WRONG_DIMENSION = "wrong_dimension"
     NOT_PRECISE = "not_precise"
+    ROUNDED_NUMBER = "rounded_number"
     NOT_EXACT = "not_exact"
     INVERTED_RATIO = "inverted_ratio"
     UNDEFINED = "undefined"
@@ -121,6 +122,7 @@ OUTCOMES = {
     Code.WRONG_UNIT: Outcome.PARTLY,
     Code.WRONG_DIMENSION: Outcome.WRONG,
     Code.NOT_PRECISE: Outcome.WRONG,
+    Code.ROUNDED_NUMBER: Outcome.WRONG,
     Code.NOT_EXACT: Outcome.WRONG,
     Code.INVERTED_RATIO: Outcome.WRONG,
     Code.UNDEFINED: Outcome.WRONG,

@@ -37,6 +37,12 @@ def compare(answer: Tree, reference: Formula, figures: int = 0) -> Comparison:
     return found if fitting is None else _fitted(fitting, reference.states)
 
 
+def rounds(answer: Tree, reference: Formula, figures: int) -> bool:
+    """Tell whether an answer would be equal to a reference if its decimals were rounded to so many figures."""
+    fitting = rounded(answer, reference, figures)
+    return fitting is not None and _fitted(fitting, reference.states).finding is Finding.EQUAL
+
+
 def _fitted(fitting: Rounded, states: States) -> Comparison:
     """Ask at every point whether the rounded answer holds the reference."""
     findings = set()

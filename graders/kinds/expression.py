@@ -20,6 +20,7 @@ from graders.language.tree import Binary, Name, Number, Relation, Tree, Unary, n
 from graders.line_slips import slips_in
 from graders.verdict import RIGHT, UNDECIDED, Code, Named, Verdict, Witness, wrong
 
+FEWEST = 2  # figures of a decimal that may stand for a fraction, a root or pi
 LIKELY = 1e-6  # relative, between doubles at one state
 WRONG_FORM = {Form.PRODUCT: Code.NOT_A_PRODUCT, Form.NO_INVERSE: Code.HOLDS_INVERSE}
 
@@ -57,11 +58,13 @@ class Expression:
         """Judge by ball arithmetic on true states; what cannot be decided is kept for the lecturer."""
         if answer == reference.tree:  # the reference has a value at all of its points, and the form asked for
             return RIGHT
-        from graders.equality import Finding, compare
+        from graders.equality import Finding, compare, rounds
 
         found = compare(answer, reference, self.figures)
         if found.finding is Finding.EQUAL:
             return self._formed(answer)
+        if found.finding is Finding.DIFFERENT and not self.figures and rounds(answer, reference, FEWEST):
+            return wrong(Code.ROUNDED_NUMBER, Witness(found.witness))
         if found.finding in (Finding.DIFFERENT, Finding.UNDEFINED):
             return wrong(Code.UNDEFINED if found.finding is Finding.UNDEFINED else Code.WRONG, Witness(found.witness))
         return UNDECIDED

@@ -26,6 +26,7 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
 ANGLE = (0, 0, 0, 1, 0)  # dimension
+FENCES = 4  # pairs of brackets around an amount that say nothing
 LONGEST = 200  # characters of an amount that is read at a glance
 ANGLES = 4 * math.pi  # beyond it whole turns are no other way to write an angle
 ROUNDED = 2e-4  # relative, what rounding on the way adds to an answer
@@ -81,6 +82,7 @@ class Quantity:
             return replace(amount, unit_text=tidy(amount.unit_text))
         if len(text) > MAX_LENGTH:
             raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
+        text = _unfenced(text)
         tree, number, rest, at = _read_number(TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text)))
         unit_text = _bare(rest)
         unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
@@ -199,6 +201,27 @@ class Quantity:
         return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
 
 
+def _unfenced(text: str) -> str:
+    """Blank out brackets around the whole text, `(204 mm)`, and a semicolon behind it; places stay."""
+    found = text.rstrip().removesuffix(";").rstrip().ljust(len(text))
+    for _ in range(FENCES):
+        start, end = len(found) - len(found.lstrip()), len(found.rstrip()) - 1
+        if found[start : start + 1] != "(" or _closing(found, start) != end:
+            break
+        found = f"{found[:start]} {found[start + 1 : end]} {found[end + 1 :]}"
+    return found if found.strip() else text
+
+
+def _closing(text: str, start: int) -> int:
+    """Find where a bracket closes; -1 where it does not."""
+    depth = 0
+    for at in range(start, len(text)):
+        depth += (text[at] == "(") - (text[at] == ")")
+        if not depth:
+            return at
+    return -1
+
+
 def _bounded(number: float, value: float) -> float:
     if not max(abs(number), abs(value)) < GREATEST:
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0)
@@ -250,6 +273,7 @@ def _joined(grouped: re.Match[str]) -> str:
 def _read_number(text: str) -> tuple[Tree, float, str, int]:
     """Split a text into a constant expression and the unit behind it: tree, number, unit text and its place."""
     tokens = tokenize(text)
+    _refuse_relation(tokens, text)
     start = 0
     behind = _behind_equals(tokens)
     if behind:
@@ -265,6 +289,16 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     if rest.startswith(("/", "∕", "÷")):
         return tree, number, "1" + rest, cut - 1
     return tree, number, rest, cut
+
+
+def _refuse_relation(tokens: list[Token], text: str) -> None:
+    """Ask for the value where a bound is typed: `d ≥ 68,6 mm` names the least of many; raises AnswerSyntaxError."""
+    at = next((at for at, token in enumerate(tokens) if token.kind in ("<", ">", "<=", ">=")), None)
+    if at is None:
+        return
+    mark = tokens[at]
+    value = text[tokens[at + 1].position :] if at < 2 else text[: mark.position]
+    raise AnswerSyntaxError(Reason.NOT_A_NUMBER, mark.position, mark.text, value.strip()[:20])
 
 
 def _behind_equals(tokens: list[Token]) -> int:

@@ -22,6 +22,7 @@ class Reason(StrEnum):
     NEEDS_BRACKET = "needs_bracket"
     NEEDS_OPERATOR = "needs_operator"
     EMPTY_BOX = "empty_box"
+    TURNED_CHAIN = "turned_chain"
     MIXED_NUMBER = "mixed_number"
     NEEDS_ARGUMENTS = "needs_arguments"
     EXTRA_BRACKET = "extra_bracket"

@@ -34,6 +34,13 @@ def is_latex(text: str) -> bool:
     return "\\" in text or ("{" in text and any(mark in text for mark in ("^{", "_{", "{,}")))
 
 
+def upright(latex: str, place: int) -> bool:
+    """Tell whether letters stand upright: `\\mathrm{EI}` is one name, `EI` the product that an editor writes so."""
+    before = latex[max(0, place - 24) : place].rstrip()
+    commands = [f"\\{command}{{" for command in UPRIGHT]
+    return before.endswith(tuple(commands)) or latex.startswith(tuple(commands), place)
+
+
 def through(latex: str, read: Callable[[str], Read]) -> Read:
     """Read LaTeX by a reader of plain text; raises AnswerSyntaxError with the place in the LaTeX."""
     return kept(rewritten(latex), read)

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 from graders.language import plain
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.latex_reader import is_latex, upright
 from graders.language.proposals import INSTEAD, figure_behind, nearest_name, product
 from graders.language.symbols import DEGREES, FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key, latin
 from graders.language.tokens import CLOSING, Token, exponent_of, partners, tokenize
@@ -17,6 +18,7 @@ MAX_HEIGHT = 200  # terms and factors beside and within one another: what walks 
 MAX_MATRIX = 16
 ONE: Tree = Number("1")
 RELATIONS = ("=", "<", ">", "<=", ">=")
+LESS, GREATER = frozenset(("<", "<=")), frozenset((">", ">="))  # a chain runs in one sense
 BEHIND = ("^", "raised", "end", ")", "]", ";", ",", ">", "+", "-", "*", "/")  # a bracket such as <x - a>
 STARTS = ("number", "name", "(", "[", "√")
 
@@ -27,7 +29,7 @@ def parse(text: str, symbols: Symbols) -> Tree:
     Raises:
         AnswerSyntaxError: The text is not in the language; names the place and what may be meant.
     """
-    return plain.read(text, symbols) or _Parser(tokenize(text), symbols).whole()
+    return plain.read(text, symbols) or _Parser(tokenize(text), symbols, text if is_latex(text) else "").whole()
 
 
 @lru_cache(maxsize=4096)
@@ -37,10 +39,10 @@ def parse_line(text: str) -> Tree:
 
 
 class _Parser:
-    """One pass over the tokens; `at` is the next of them."""
+    """One pass over the tokens; `at` is the next of them. LaTeX, if any, tells what its letters mean (0019)."""
 
-    def __init__(self, tokens: list[Token], symbols: Symbols | None) -> None:
-        self.tokens, self.symbols = tokens, symbols
+    def __init__(self, tokens: list[Token], symbols: Symbols | None, latex: str = "") -> None:
+        self.tokens, self.symbols, self.latex = tokens, symbols, latex
         self.at = self.depth = self.nodes = self.bars = self.height = 0
         self.closed: dict[int, int] | None = None
 
@@ -75,6 +77,8 @@ class _Parser:
         sides, operators = [self.sum()], []
         while self.token.kind in RELATIONS:
             operators.append(self.token.kind)
+            if LESS.intersection(operators) and GREATER.intersection(operators):
+                raise self.error(Reason.TURNED_CHAIN)
             self.at += 1
             sides.append(self.sum())
         return Relation(tuple(operators), tuple(sides)) if operators else sides[0]
@@ -318,6 +322,8 @@ class _Parser:
     def cut(self, token: Token) -> Token:
         """Put the parts of a run in its place and give the first of them; raises where it cannot be cut."""
         parts = self.symbols.parts(token.text) if self.symbols else []
+        if not parts and self.symbols and self.latex and not upright(self.latex, token.position):
+            parts = self.symbols.run(token.text)
         if not parts:
             raise self.unknown(token)
         places = [token.position + len("".join(parts[:i])) for i in range(len(parts))]

@@ -13,6 +13,7 @@ INSTEAD = {
     "sec": "1/cos()", "csc": "1/sin()", "cosec": "1/sin()", "½": "1/2", "⅓": "1/3", "⅔": "2/3", "¼": "1/4", "¾": "3/4",
     "⅙": "1/6", "⅛": "1/8",
 }  # fmt: skip
+SOUNDS = {"eps": "epsilon", "w": "omega", "W": "omega", "al": "alpha", "th": "theta", "f": "phi", "e": "epsilon"}
 LONGEST = 24  # letters of a name for which a neighbour is looked for
 MOST = 400  # names looked at
 
@@ -45,6 +46,9 @@ def nearest_name(spelling: str, symbols: Symbols) -> str:
     folded = key(spelling)
     if len(folded) > LONGEST:
         return ""
+    letter = next((letter for letter in SOUNDS if folded.startswith(letter)), "")
+    if letter and symbols.find(SOUNDS[letter] + folded[len(letter) :]) in symbols.names:
+        return symbols.find(SOUNDS[letter] + folded[len(letter) :]) or ""
     found = nearest(folded, {key(name): name for name in sorted(symbols.names)[:MOST]})
     return found or (nearest(folded, {name: name for name in (*FUNCTIONS, *ALIASES)}) if len(folded) > 2 else "")
 

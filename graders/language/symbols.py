@@ -50,6 +50,7 @@ ALIASES = {
     "moduł": "abs", "модуль": "abs",
 }  # fmt: skip
 
+LONGEST_RUN, LONGEST_NAME = 12, 16  # names of a run, and letters of one
 MOST_NODES = 400  # spellings that are remembered
 
 
@@ -125,6 +126,17 @@ class Symbols:
         """
         parts = BORDER.split(spelling)
         return parts if len(parts) > 1 and all(self.find(p) or function_named(p) for p in parts) else []
+
+    def run(self, spelling: str) -> list[str]:
+        """Cut a run of letters into declared names, the longest first; empty if something is left over."""
+        found: list[str] = []
+        while spelling and len(found) < LONGEST_RUN:
+            end = next((end for end in range(min(len(spelling), LONGEST_NAME), 0, -1) if self.find(spelling[:end])), 0)
+            if not end:
+                return []
+            found.append(spelling[:end])
+            spelling = spelling[end:]
+        return [] if spelling else found
 
     def split(self, spelling: str) -> list[str]:
         """Cut a run of letters into declared names and functions, fewest pieces first; empty if it cannot be cut."""

@@ -58,7 +58,10 @@ raised   = [ "⁻" ] ( "⁰" … "⁹" ) { "⁰" … "⁹" } ;
 - A comma directly between digits is a decimal comma. Inside a matrix row or the brackets of a function of several
   arguments it separates, unless that bracket also holds `;`, which then separates and makes the comma decimal.
 - `α₁`, `alpha_1`, `alpha1` and `alfa1` are one symbol; so are `R_A` and `RA`. Case counts. A run such as `ab` is not
-  cut silently: `ab(x+1)` is asked about with the proposal `a·b·(x+1)`.
+  cut silently: `ab(x+1)` is asked about with the proposal `a·b·(x+1)`. Only the italic letters of a formula editor are
+  declared names side by side, the longest in front first: `8EI` in LaTeX is 8·E·I.
+- A chain of relations runs in one sense: `a < x < b`, not `a < x > b`. What looks like a bracket of Macaulay behind a
+  factor is one: `a <b> + c` is a sum.
 - Where a task declares a rate `x_d` (`x_dd`), `ẋ` (`ẍ`), `x'` (`x''`) and `x_dot` (`x_ddot`) mean it.
 - `a/2b` is asked about; `1/2 a` is half of a. `sin^-1 x` is asked about. `2 1/2` is asked about: a sum or a product?
 - A Macaulay bracket `<u>^n` is 0 before u = 0 and u^n behind; n is a whole number from 0, and -1 and -2 stand for a

@@ -51,3 +51,20 @@ def test_a_long_run_of_a_name_is_refused_without_delay() -> None:
     for text in ("a" * 1999 + "=", " " * 1998 + "1=", "1" * 1999, "x = " + "1 " * 900):
         with pytest.raises(AnswerSyntaxError):
             STRESS.parse(text, NOTHING)
+
+
+@pytest.mark.parametrize(
+    "text", ["(204 mm)", " ( 204 mm ) ", "(204) mm", "204 mm;", "((204 mm))", "(20,4 cm)", "(200 + 4) mm"]
+)
+def test_brackets_around_an_amount_and_a_semicolon_behind_it_say_nothing(text: str) -> None:
+    assert Quantity("mm").parse(text, Symbols(())).value == pytest.approx(0.204)
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "meant"),
+    [("d ≥ 68,6 mm", 2, "68,6 mm"), ("> 68.6", 0, "68.6"), ("68,6 mm <= d", 8, "68,6 mm"), ("d_min>=5 cm", 5, "5 cm")],
+)
+def test_a_bound_is_asked_for_its_value(text: str, place: int, meant: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("mm").parse(text, Symbols(()))
+    assert (refused.value.position, refused.value.proposal.meant) == (place, meant)

@@ -30,6 +30,23 @@ def found(a: str, b: str, /, **box: tuple[float, float]) -> Finding:
 
 
 @pytest.mark.parametrize(
+    ("text", "line", "code"),
+    [
+        ("0.333*a*x", "a*x/3", Code.ROUNDED_NUMBER),
+        ("0,33 a x", "a*x/3", Code.ROUNDED_NUMBER),
+        ("3.14*a^2", "pi*a^2", Code.ROUNDED_NUMBER),
+        ("1,414*a + 0.577*b", "sqrt(2)*a + b/sqrt(3)", Code.ROUNDED_NUMBER),
+        ("0.35*a*x", "a*x/3", Code.WRONG),
+        ("0.333*a*x", "a*b/3", Code.WRONG),
+        ("0.5*a*x", "a*x/2", Code.RIGHT),
+        ("a*x*0.3", "a*x/3", Code.WRONG),
+    ],
+)
+def test_a_rounded_number_in_a_formula_is_named(text: str, line: str, code: Code) -> None:
+    assert judged(Expression("y"), text, line).code is code
+
+
+@pytest.mark.parametrize(
     ("text", "code"),
     [
         ("a*(x + b)", Code.RIGHT),
@@ -89,7 +106,9 @@ def test_what_is_asked_for_is_said_at_the_field(lang: str) -> None:
 def test_decimals_may_be_rounded_where_the_task_says_so(text: str, line: str, code: Code) -> None:
     assert judged(Expression("y", figures=3), text, line).code is code
     exact = judged(Expression("y"), text, line).code
-    assert exact in (Code.RIGHT, Code.WRONG, Code.UNDEFINED) and (exact is not Code.RIGHT or code is Code.RIGHT)
+    assert exact in (Code.RIGHT, Code.WRONG, Code.ROUNDED_NUMBER, Code.UNDEFINED) and (
+        exact is not Code.RIGHT or code is Code.RIGHT
+    )
 
 
 @pytest.mark.parametrize(

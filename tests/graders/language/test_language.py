@@ -286,3 +286,10 @@ def test_a_sum_or_product_without_end_is_too_long(typed: str) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         parse(typed, DECLARED)
     assert refused.value.reason is Reason.TOO_LONG
+
+
+@pytest.mark.parametrize(("typed", "place"), [("0 < a > 1", 6), ("a >= b <= x", 7), ("1 < a < b > x", 10)])
+def test_a_chain_runs_in_one_sense(typed: str, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(typed, Symbols(["a", "b", "x"]))
+    assert (refused.value.reason, refused.value.position) == (Reason.TURNED_CHAIN, place)

@@ -8,6 +8,7 @@ from graders import Code, Integer, Quantity
 from graders.language import AnswerSyntaxError, Reason, Symbols, parse
 from graders.language.latex import latex_of
 from graders.language.latex_reader import MAX_LATEX, is_latex, rewritten
+from graders.language.text import text_of
 
 DECLARED = Symbols(
     [
@@ -219,3 +220,24 @@ def test_every_character_keeps_its_place() -> None:
 )
 def test_latex_is_written_as_a_book_prints_it(text: str, latex: str) -> None:
     assert latex_of(parse(text, DECLARED), comma=True) == latex
+
+
+@pytest.mark.parametrize(
+    ("latex", "text"),
+    [
+        (r"\frac{qL^{4}}{8EI}", "q L^4/(8 E I)"),
+        (r"EIy\cdot 2", "E I y*2"),
+        (r"abx+\sqrt{a}", "ab x + sqrt(a)"),
+        (r"-\frac{1}{2}ax^{2}", "-(1/2) a x^2"),
+    ],
+)
+def test_letters_of_an_editor_are_declared_names_side_by_side(latex: str, text: str) -> None:
+    symbols = Symbols(["E", "I", "q", "L", "x", "y", "a", "b", "ab"])
+    assert text_of(parse(latex, symbols)) == text
+
+
+@pytest.mark.parametrize("latex", [r"\mathrm{EI}x", r"\frac{1}{EJ}", r"\operatorname{EI}+1"])
+def test_upright_letters_and_what_is_left_over_are_asked_about(latex: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(latex, Symbols(["E", "I", "x"]))
+    assert refused.value.reason is Reason.UNKNOWN_NAME

@@ -175,3 +175,12 @@ def test_a_second_rate_is_typed_with_two(typed: str) -> None:
 def test_a_prime_means_no_rate_that_is_not_declared() -> None:
     with pytest.raises(AnswerSyntaxError):
         parse("a'", DECLARED)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("w1", "omega1"), ("w_1", "omega1"), ("eps1", "epsilon1"), ("al2", "alpha2")]
+)
+def test_a_letter_that_sounds_or_looks_so_is_told_with_the_greek_name(typed: str, meant: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(f"2*{typed}", Symbols(["omega1", "epsilon1", "alpha2", "l1"]))
+    assert refused.value.proposal.meant == meant
