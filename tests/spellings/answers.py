@@ -14,7 +14,9 @@ from tests.spellings.hand import formula
 RICHER = {
     "dh_table",
     "diagram",
+    "equation",
     "function",
+    "inequality",
     "polygon",
     "rates",
     "samples",
