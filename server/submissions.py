@@ -73,8 +73,9 @@ class Graded(BaseModel):
     """A graded submission.
 
     One that `counted` may use up an attempt; `repeated` says that it did not count because the same answers were
-    handed in before. What is `held` has no score and no verdicts until the set closes. `needs_regrade` says that the
-    exercise has changed since its variant was dealt, and that the kept reference has judged.
+    handed in before. What is `held` has no score and no verdicts until the set has closed for everybody.
+    `needs_regrade` says that the exercise has changed since its variant was dealt, and that the kept reference has
+    judged.
     """
 
     score: float | None = Field(ge=0, le=1)

@@ -6,11 +6,12 @@ from collections.abc import Mapping, Sequence
 from datetime import datetime
 from functools import partial
 
-from sqlalchemy import Connection, Select, delete, exists, func, insert, or_, select, update
+from sqlalchemy import Connection, Select, delete, exists, func, insert, select, update
 
 from server.database import attempts, deck
 from server.database.audit import noting
 from server.database.connections import Connections
+from server.sets.rules import Rules, Stage, window
 from server.storage import Marked
 from server.storage.audit import Entry
 from server.storage.sets import DRAFT, PUBLISHED, Card, Line, NotADraft, Place, Slot, TaskSet, Waiting
@@ -93,6 +94,10 @@ class Sets:
         """Tell how many minutes more a student has."""
         return await self._connections.read(lambda connection: _extra(connection, number, person))
 
+    async def most_extra(self, number: str) -> int:
+        """Tell how many minutes more anybody has."""
+        return await self._connections.read(lambda connection: _most_extra(connection, number))
+
     async def accommodate(
         self, number: str, person: str, minutes: int, reason: str, entry: Entry | None = None
     ) -> None:
@@ -123,11 +128,7 @@ class Sets:
 
     async def reserved(self, exercise: str, now: datetime) -> bool:
         """Tell whether a published set that is not over deals an exercise."""
-        ends = func.coalesce(task_sets.c.closes, task_sets.c.due)
-        running = task_sets.c.state == PUBLISHED, or_(ends.is_(None), ends >= now)
-        dealt = cards.c.exercise == exercise, cards.c.slot == slots.c.id, slots.c.task_set == task_sets.c.id
-        query = select(exists().where(*dealt, *running))
-        return await self._connections.read(lambda connection: bool(connection.execute(query).scalar_one()))
+        return await self._connections.read(lambda connection: _reserved(connection, exercise, now))
 
     async def waiting(self) -> Sequence[Waiting]:
         """List the drafts in published sets that are newer than what was handed in."""
@@ -190,12 +191,28 @@ def _place(connection: Connection, variant: str) -> Place | None:
     slot = next(slot for slot in found.slots if slot.id == card.slot)
     assert card.person is not None  # a card that is dealt is somebody's
     begun = deck.begun(connection, found.id, card.person)
-    return Place(found, slot, card, _extra(connection, found.id, card.person), begun)
+    return Place(found, slot, card, _extra(connection, found.id, card.person), begun, _most_extra(connection, found.id))
+
+
+def _reserved(connection: Connection, exercise: str, now: datetime) -> bool:
+    dealt = exists().where(cards.c.exercise == exercise, cards.c.slot == slots.c.id, slots.c.task_set == task_sets.c.id)
+    found = _sets(connection, select(task_sets).where(task_sets.c.state == PUBLISHED, dealt))
+    return any(not _is_over(connection, one, now) for one in found)
+
+
+def _is_over(connection: Connection, found: TaskSet, now: datetime) -> bool:
+    most, rules = _most_extra(connection, found.id), Rules.model_validate(found.rules)
+    return window(found.opens, found.due, found.closes, rules, extra=most).stage(now) is Stage.CLOSED
 
 
 def _extra(connection: Connection, number: str, person: str) -> int:
     mine = accommodations.c.task_set == number, accommodations.c.person == person
     return connection.execute(select(accommodations.c.minutes).where(*mine)).scalar_one_or_none() or 0
+
+
+def _most_extra(connection: Connection, number: str) -> int:
+    query = select(func.max(accommodations.c.minutes)).where(accommodations.c.task_set == number)
+    return connection.execute(query).scalar_one() or 0
 
 
 def _accommodate(connection: Connection, number: str, person: str, minutes: int, reason: str) -> None:

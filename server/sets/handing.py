@@ -41,6 +41,15 @@ def own_window(place: Place) -> Window:
     return window_of(place.task_set, place.extra, place.begun)
 
 
+def shown_after(task_set: TaskSet, own: Window, most: int) -> Window:
+    """Give the window after which a student is shown results and solutions: that of whoever may work longest.
+
+    One who is done early could tell the others; where a set closes for nobody by its dates, the own window counts.
+    """
+    longest = window_of(task_set, most, None)
+    return own if longest.closes is None else longest
+
+
 def refuse_unless_open(found: Window, now: datetime) -> None:
     """Refuse work before the set opens and after it has closed for this student.
 
@@ -57,7 +66,11 @@ def refuse_unless_open(found: Window, now: datetime) -> None:
 
 def is_held(place: Place, now: datetime) -> bool:
     """Tell whether the results are held back from the student."""
-    return held(rules_of(place.task_set), own_window(place).stage(now))
+    return held(rules_of(place.task_set), _shown_after(place).stage(now))
+
+
+def _shown_after(place: Place) -> Window:
+    return shown_after(place.task_set, own_window(place), place.most)
 
 
 async def solution_is_open(bench: Bench, place: Place) -> bool:
@@ -65,7 +78,7 @@ async def solution_is_open(bench: Bench, place: Place) -> bool:
     assert place.card.person is not None
     lines = await bench.sets.ledger(place.task_set.id, place.card.person)
     counted = sum(line.counted for line in lines if line.slot == place.slot.id)
-    stage = own_window(place).stage(datetime.now(UTC))
+    stage = _shown_after(place).stage(datetime.now(UTC))
     return solution_open(rules_of(place.task_set), stage, left(place.slot.attempts, counted))
 
 

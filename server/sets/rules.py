@@ -22,14 +22,15 @@ class Rules(BaseModel):
     """What holds in a set; each has a default that suits homework.
 
     Attributes:
-        mode: In practice each answer is judged at once; in an exam the results are held until the set closes.
+        mode: In practice each answer is judged at once; in an exam the results are held until the set has closed for
+            everybody.
         minutes: Time limit from the first open.
         late: After the due moment and before closing, work is refused, accepted, or loses a share a day.
         late_loss: The share lost with each day begun.
         keep: Whether the best or the last attempt gives the points.
         hints: Whether recognised slips are named.
         ladder: Whether a wrong answer may be helped on: first by what it follows from, then by its equation.
-        solutions: When the worked solution opens.
+        solutions: When the worked solution opens; `after_close` is when the set has closed for everybody.
         follow_through: What a later answer is worth that is right from an earlier wrong one.
         second_chance_of: The set to which this one is a second chance.
     """

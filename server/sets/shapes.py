@@ -173,13 +173,13 @@ def shown_set(found: TaskSet) -> ShownTaskSet:
     )  # fmt: skip
 
 
-def my_set(own: Standing, share: float) -> MyTaskSet:
+def my_set(own: Standing, share: float | None) -> MyTaskSet:
     """Show a set to its student."""
     found = own.task_set
     return MyTaskSet(
         id=found.id, course=found.course, title=found.title, stage=own.stage.value, opens=own.window.opens,
         due=own.window.due, closes=own.window.closes, held=own.held, points=own.worth,
-        earned=None if own.held else own.points, share=None if own.held else round(share, 6), rules=own.rules,
+        earned=None if own.held else own.points, share=None if share is None else round(share, 6), rules=own.rules,
         items=[_my_item(task, own.held) for task in own.tasks],
     )  # fmt: skip
 

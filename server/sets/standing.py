@@ -11,7 +11,7 @@ from typing import Any
 from server.bench import Bench
 from server.marks.counting import by_submission, entries
 from server.sets import clock
-from server.sets.handing import faulty, rules_of, window_of
+from server.sets.handing import faulty, rules_of, shown_after, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
 from server.storage.sets import Card, Slot, TaskSet
 
@@ -84,13 +84,13 @@ async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) 
     dealt = [card for card in await bench.sets.cards(task_set.id, person) if card.variant]
     extra, begun = await bench.sets.extra(task_set.id, person), await bench.sets.begun(task_set.id, person)
     rules, found = rules_of(task_set), window_of(task_set, extra, begun)
-    stage = found.stage(now)
+    shown = shown_after(task_set, found, await bench.sets.most_extra(task_set.id)).stage(now)
     ledger = entries(lines, by_submission(marks), weights, rules)
     tasks = tuple(
         _task(slot, dealt, [one for one, line in zip(ledger, lines, strict=True) if line.slot == slot.id], found, rules)
         for slot in task_set.slots
     )
-    return Standing(task_set, rules, found, stage, held(rules, stage), tasks)
+    return Standing(task_set, rules, found, found.stage(now), held(rules, shown), tasks)
 
 
 def _task(slot: Slot, dealt: list[Card], ledger: Sequence[Entry], found: Window, rules: Rules) -> Task:
@@ -99,14 +99,19 @@ def _task(slot: Slot, dealt: list[Card], ledger: Sequence[Entry], found: Window,
     return Task(slot, card, tuple(ledger), result(ledger, found.due, rules), left(slot.attempts, counted))
 
 
-async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> float:
-    """Give a student's share of a set; one that is a second chance is weighed with the first."""
+async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> float | None:
+    """Give a student's share of a set; one that is a second chance is weighed with the first.
+
+    None while the results of either are held back.
+    """
     own = await standing(bench, task_set, person, now)
     before = own.rules.second_chance_of
     first = await bench.sets.task_set(before) if before else None
-    if first is None:
-        return own.share
+    if first is None or own.held:
+        return None if own.held else own.share
     earlier = await standing(bench, first, person, now)
+    if earlier.held:
+        return None
     return combined(earlier.share, own.share if own.taken else None)
 
 

@@ -81,13 +81,15 @@ class Card:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a variant stands: its set, slot and card, how much longer its student may work, and since when."""
+    """Where a variant stands: its set, slot and card, how much longer its student may work, and since when; `most` is
+    the extra time of whoever has the most in the set."""
 
     task_set: TaskSet
     slot: Slot
     card: Card
     extra: int
     begun: datetime | None
+    most: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,6 +205,10 @@ class Sets(Protocol):
 
     async def extra(self, number: str, person: str) -> int:
         """Tell how many minutes more a student has."""
+        ...
+
+    async def most_extra(self, number: str) -> int:
+        """Tell how many minutes more anybody has."""
         ...
 
     async def accommodate(

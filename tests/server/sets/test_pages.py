@@ -112,7 +112,7 @@ def test_a_student_sees_the_rules_and_the_points_before_the_click(course: Course
         assert said in page
     path = course.student.post(f"/sets/{number}/items/1", data={"another": "no"}).headers["location"]
     graded = course.student.post(path, data={"answer.l3": "1 m"}).headers["location"].split("#")[0]
-    assert "You see the result after the set closes." in course.student.get(f"{graded}&lang=en").text
+    assert "You see the result after the set has closed for everybody." in course.student.get(f"{graded}&lang=en").text
 
 
 @pytest.mark.parametrize(("rules", "told"), [({}, False), ({"ladder": True}, True)])

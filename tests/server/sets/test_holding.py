@@ -1,0 +1,100 @@
+"""What one student is shown while another may still work, and what is kept of work at the very end."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+
+from sqlalchemy import update
+
+from server.database.sets import Sets
+from server.tables import deck
+from tests.server.sets.conftest import Course
+from tests.server.sets.test_api import code_of, texts
+
+FREE = "planetary"  # of no other set here
+
+
+def begun(course: Course, variant: str, **ago: float) -> None:
+    """Let a student have opened a card some time ago."""
+    earlier = update(deck).where(deck.c.variant == variant).values(dealt=datetime.now(UTC) - timedelta(**ago))
+    sets = course.school.bench.sets
+    assert isinstance(sets, Sets)
+    course.school.portal.call(sets._connections.write, lambda connection: connection.execute(earlier).rowcount)
+
+
+def give_time(course: Course, number: str, minutes: int, who: str = "student") -> None:
+    """Give a student more time in a set."""
+    path = f"/api/v1/task-sets/{number}/accommodations/{course.school.people[who]}"
+    assert course.lecturer.put(path, json={"minutes": minutes}).status_code == 200
+
+
+def shows_nothing(course: Course, number: str, variant: str, receipt: str) -> bool:
+    """Whether neither results nor the solution of another student's work are shown to that student."""
+    shown = course.other.get(f"/api/v1/submissions/{receipt}").json()
+    mine = course.other.get(f"/api/v1/task-sets/{number}").json()
+    told = course.other.get("/api/v1/me/data").json()["submissions"]
+    (one,) = [one for one in told if one["receipt"] == receipt]
+    solution = course.other.get(f"/api/v1/variants/{variant}/solution")
+    assert mine["stage"] == "closed"
+    return (
+        shown["held"] and mine["held"] and one["held"] and shown["score"] is mine["share"] is mine["earned"] is None
+        and code_of(solution) == (403, "set_solution_closed")
+    )  # fmt: skip
+
+
+def test_who_has_used_up_the_time_is_shown_nothing_while_others_may_begin(course: Course) -> None:
+    number = course.published(rules={"mode": "exam", "minutes": 30})
+    variant = course.variant(number, course.other)
+    receipt = course.hand_in(variant, {"l3": "1 m"}, who=course.other).json()["receipt"]["id"]
+    begun(course, variant, minutes=31)
+    assert shows_nothing(course, number, variant, receipt)
+    course.move(number, minutes=1)
+    assert course.other.get(f"/api/v1/submissions/{receipt}").json()["score"] == 0
+    assert course.other.get(f"/api/v1/variants/{variant}/solution").json()["lines"]
+
+
+def test_nothing_is_shown_while_somebody_has_extra_time(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"})
+    variant, slow = course.variant(number, course.other), course.variant(number)
+    receipt = course.hand_in(variant, {"l3": "1 m"}, who=course.other).json()["receipt"]["id"]
+    give_time(course, number, 60)
+    course.move(number, minutes=1)
+    assert course.hand_in(slow, {"l3": "1 m"}).status_code == 201
+    assert shows_nothing(course, number, variant, receipt)
+    give_time(course, number, 0)
+    assert course.other.get(f"/api/v1/submissions/{receipt}").json()["score"] == 0
+
+
+def test_a_time_limit_without_dates_holds_no_results_for_ever(course: Course) -> None:
+    number = course.published(rules={"mode": "exam", "minutes": 30}, due=None)
+    variant = course.variant(number)
+    receipt = course.hand_in(variant, {"l3": "1 m"}).json()["receipt"]["id"]
+    assert course.student.get(f"/api/v1/submissions/{receipt}").json()["held"]
+    begun(course, variant, minutes=31)
+    assert course.student.get(f"/api/v1/submissions/{receipt}").json()["score"] == 0
+
+
+def test_a_second_chance_tells_nothing_of_an_examination_under_way(course: Course) -> None:
+    first = course.published(rules={"mode": "exam"})
+    course.hand_in(course.variant(first), texts(course, first))
+    second = course.published(rules={"second_chance_of": first})
+    assert course.student.get(f"/api/v1/task-sets/{second}").json()["share"] is None
+    assert "100 %" not in course.student.get(f"/sets/{second}?lang=en").text
+    course.move(first, minutes=1)
+    assert course.student.get(f"/api/v1/task-sets/{second}").json()["share"] == 1
+    assert "100 %" in course.student.get(f"/sets/{second}?lang=en").text
+
+
+def test_an_exercise_is_reserved_as_long_as_anybody_may_hand_in(course: Course) -> None:
+    seeded = f"/api/v1/exercises/{FREE}/variants"
+    late = course.published(item={"exercise": FREE}, rules={"late": "reduced"})
+    course.move(late, minutes=1)
+    assert code_of(course.student.post(seeded, json={"seed": 7})) == (403, "reserved")
+    course.school.portal.call(course.school.bench.sets.move, late, None, datetime.now(UTC))
+    assert course.student.post(seeded, json={"seed": 7}).status_code == 201
+    slow = course.published(item={"exercise": FREE})
+    course.move(slow, minutes=1)
+    assert course.student.post(seeded, json={"seed": 7}).status_code == 201
+    give_time(course, slow, 60)
+    assert code_of(course.student.post(seeded, json={"seed": 7})) == (403, "reserved")
+    give_time(course, slow, 0)
