@@ -13,6 +13,8 @@ from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit
+from server.sets import handing
+from server.sets.rules import Stage
 from server.storage import Answers, Dealt, Draft, Marked
 from server.typed import Typed
 from server.variants import GONE, restored, visible
@@ -47,7 +49,9 @@ async def show_draft(variant: str, bench: Tools, reader: Asking) -> ShownDraft:
     return _shown(await bench.storage.draft(dealt.id))
 
 
-@router.put("/variants/{variant}/draft", responses=GONE | {code: {"model": Failure} for code in (409, 413, 422, 503)})
+@router.put(
+    "/variants/{variant}/draft", responses=GONE | {code: {"model": Failure} for code in (403, 409, 413, 422, 503)}
+)
 async def put_draft(variant: str, new: NewDraft, bench: Tools, reader: Asking) -> ShownDraft:
     """Keep a draft. Where another tab or device has kept one meanwhile, nothing is kept: 409, read it first."""
     dealt = await _own(bench, reader, variant)
@@ -64,8 +68,21 @@ async def put_draft(variant: str, new: NewDraft, bench: Tools, reader: Asking) -
 
 
 async def keep(bench: Bench, dealt: Dealt, answers: Answers, revision: int) -> tuple[Draft, bool]:
-    """Keep answers as the draft that follows a revision; gives what is kept, and whether it is this."""
-    return await bench.storage.keep_draft(Draft(dealt.id, answers, datetime.now(UTC), revision + 1))
+    """Keep answers as the draft that follows a revision; gives what is kept, and whether it is this.
+
+    Raises:
+        Refused: 403, it came after the end of an examination: what was kept in time is taken, not this.
+    """
+    now = datetime.now(UTC)
+    if await is_late(bench, dealt, now):
+        raise Refused(403, "set_closed")
+    return await bench.storage.keep_draft(Draft(dealt.id, answers, now, revision + 1))
+
+
+async def is_late(bench: Bench, dealt: Dealt, now: datetime) -> bool:
+    """Tell whether a variant belongs to an examination that is over for its student."""
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    return place is not None and handing.is_exam(place) and handing.own_window(place).stage(now) is Stage.CLOSED
 
 
 def fresher(draft: Draft | None, last: Marked | None) -> bool:

@@ -17,7 +17,7 @@ from exercises.exercise import AnyExercise
 from exercises.variants import MAX_SEED
 from server import forms, ids
 from server.bench import Bench, Tools
-from server.drafts import fresher, keep
+from server.drafts import fresher, is_late, keep
 from server.errors import Refused
 from server.exercises import known, sample
 from server.forms import Form
@@ -160,7 +160,7 @@ async def show_reading(variant: str, request: Request, bench: Tools, reader: Ask
     dealt = await visible(bench, reader, variant)
     typed = await _typed(bench, reader, dealt, form)
     draft = await bench.storage.draft(dealt.id)
-    if may_answer(reader.owner_id, dealt):
+    if may_answer(reader.owner_id, dealt) and not await is_late(bench, dealt, datetime.now(UTC)):
         draft, _ = await keep(bench, dealt, typed, draft.revision if draft else 0)
     return await _workspace(request, bench, reader, Work(dealt, typed, None, draft))
 

@@ -7,7 +7,7 @@ from sqlalchemy import Connection, func, insert, select
 from server.database.practice import keep_submission
 from server.storage import Marked
 from server.storage.sets import Line, NoAttemptLeft, Waiting
-from server.tables import attempts, deck, drafts, grades, slots, submissions
+from server.tables import attempts, deck, drafts, grades, slots, submissions, task_sets
 
 
 def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
@@ -54,11 +54,22 @@ def ledger(connection: Connection, number: str, person: str | None) -> list[Line
 
 
 def waiting(connection: Connection) -> list[Waiting]:
-    """List the drafts in sets that are newer than what was handed in."""
+    """List the drafts in examinations that are newer than what was handed in, where an attempt is left for them."""
     last = select(func.max(submissions.c.time)).where(submissions.c.variant == drafts.c.variant).scalar_subquery()
+    same = deck.alias()
+    taken = (
+        select(func.count())
+        .select_from(attempts)
+        .join(same, same.c.variant == attempts.c.variant)
+        .where(same.c.slot == deck.c.slot, same.c.person == deck.c.person)
+        .scalar_subquery()
+    )
     query = (
         select(drafts.c.variant, deck.c.person, drafts.c.answers, drafts.c.time)
         .join_from(drafts, deck, deck.c.variant == drafts.c.variant)
-        .where((last.is_(None)) | (last < drafts.c.time))
+        .join(slots, slots.c.id == deck.c.slot)
+        .join(task_sets, task_sets.c.id == slots.c.task_set)
+        .where(task_sets.c.rules["mode"].as_string() == "exam", (last.is_(None)) | (last < drafts.c.time))
+        .where(slots.c.attempts.is_(None) | (taken < slots.c.attempts))
     )
     return [Waiting(**row) for row in connection.execute(query).mappings()]

@@ -131,7 +131,7 @@ class Sets:
         return await self._connections.read(lambda connection: _reserved(connection, exercise, now))
 
     async def waiting(self) -> Sequence[Waiting]:
-        """List the drafts in published sets that are newer than what was handed in."""
+        """List the drafts in examinations that are newer than what was handed in, where an attempt is left."""
         return await self._connections.read(attempts.waiting)
 
 

@@ -64,6 +64,11 @@ def refuse_unless_open(found: Window, now: datetime) -> None:
         raise Refused(403, "set_closed")
 
 
+def is_exam(place: Place) -> bool:
+    """Tell whether the set is an examination."""
+    return rules_of(place.task_set).mode == "exam"
+
+
 def is_held(place: Place, now: datetime) -> bool:
     """Tell whether the results are held back from the student."""
     return held(rules_of(place.task_set), _shown_after(place).stage(now))
@@ -212,8 +217,7 @@ async def collect(bench: Bench, now: datetime) -> int:
 
 def _over(place: Place, typed: datetime, now: datetime) -> bool:
     found = own_window(place)
-    exam = rules_of(place.task_set).mode == "exam"
-    return exam and found.stage(now) is Stage.CLOSED and found.stage(typed) in (Stage.OPEN, Stage.LATE)
+    return is_exam(place) and found.stage(now) is Stage.CLOSED and found.stage(typed) in (Stage.OPEN, Stage.LATE)
 
 
 async def _take(bench: Bench, place: Place, draft: Waiting) -> None:

@@ -248,5 +248,5 @@ class Sets(Protocol):
         ...
 
     async def waiting(self) -> Sequence[Waiting]:
-        """List the drafts in published sets that are newer than what was handed in."""
+        """List the drafts in examinations that are newer than what was handed in, where an attempt is left."""
         ...

@@ -7,6 +7,7 @@ from datetime import UTC, datetime, timedelta
 from sqlalchemy import update
 
 from server.database.sets import Sets
+from server.sets import handing
 from server.tables import deck
 from tests.server.sets.conftest import Course
 from tests.server.sets.test_api import code_of, texts
@@ -63,6 +64,31 @@ def test_nothing_is_shown_while_somebody_has_extra_time(course: Course) -> None:
     assert shows_nothing(course, number, variant, receipt)
     give_time(course, number, 0)
     assert course.other.get(f"/api/v1/submissions/{receipt}").json()["score"] == 0
+
+
+def test_a_draft_that_comes_too_late_does_not_push_out_the_last_one_in_time(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"}, item={"attempts": 1})
+    variant, right = course.variant(number), texts(course, number)
+    path = f"/api/v1/variants/{variant}/draft"
+    assert course.student.put(path, json={"answers": right, "revision": 0}).status_code == 200
+    course.move(number, seconds=0)
+    late = course.student.put(path, json={"answers": {"l3": "1 m"}, "revision": 1})
+    assert code_of(late) == (403, "set_closed")
+    read = course.student.post(f"/variants/{variant}/preview", data={"answer.l3": "1 m"})
+    assert read.status_code == 200 and course.student.get(path).json()["answers"] == right
+    bench = course.school.bench
+    assert course.school.portal.call(handing.collect, bench, datetime.now(UTC)) == 1
+    assert course.student.get(f"/api/v1/task-sets/{number}").json()["share"] == 1
+
+
+def test_a_draft_for_which_no_attempt_is_left_is_not_judged_again_and_again(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"}, item={"attempts": 1})
+    variant = course.variant(number)
+    course.hand_in(variant, {"l3": "1 m"})
+    path = f"/api/v1/variants/{variant}/draft"
+    assert course.student.put(path, json={"answers": {"l3": "2 m"}, "revision": 1}).status_code == 200
+    waiting = course.school.portal.call(course.school.bench.sets.waiting)
+    assert variant not in [one.variant for one in waiting]
 
 
 def test_a_time_limit_without_dates_holds_no_results_for_ever(course: Course) -> None:

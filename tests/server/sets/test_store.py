@@ -16,7 +16,7 @@ from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.marks import Mark, Progress
 from server.storage.sets import Card, NoAttemptLeft, NotADraft, Slot, TaskSet
-from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol
+from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, slot
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
 
@@ -30,16 +30,16 @@ class School:
     two: Database
     made: int = 0
 
-    def draft(self) -> TaskSet:
+    def draft(self, **changes: Any) -> TaskSet:
         """Store the draft of a set with two slots."""
         self.made += 1
-        new = draft(f"SET{self.made}")
+        new = replace(draft(f"SET{self.made}"), **changes)
         asyncio.run(self.one.sets.add(new))
         return new
 
-    def published(self) -> TaskSet:
+    def published(self, **changes: Any) -> TaskSet:
         """Publish one: cards for Anna and Bob, and two spares."""
-        new = self.draft()
+        new = self.draft(**changes)
         seats = list(enumerate(("anna", "bob", None, None), 1))
         asyncio.run(self.one.sets.publish(new.id, 1, [card(of, n, who) for of in new.slots for n, who in seats], NOW))
         return new
@@ -206,8 +206,9 @@ def test_an_exercise_is_reserved_until_the_set_is_over(school: School) -> None:
     assert asyncio.run(sets.reserved("slider_crank", after))
 
 
-def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
-    task_set = school.published()
+def test_drafts_of_an_examination_that_were_not_handed_in_wait(school: School) -> None:
+    slots = (replace(slot("EXAM"), attempts=2),)
+    task_set = school.published(id="EXAM", rules={"mode": "exam"}, slots=slots)
     dealt = school.opened(task_set.slots[0], "anna")
     school.keep(dealt, f"{dealt.id} 1", 2)
     assert asyncio.run(school.one.sets.waiting()) == []
@@ -218,6 +219,9 @@ def test_drafts_that_were_not_handed_in_wait(school: School) -> None:
     assert (found.variant, found.person, found.answers) == (dealt.variant, "anna", {"l3": "2"})
     school.keep(dealt, f"{dealt.id} 2", 2, time=NOW + timedelta(minutes=2))
     assert asyncio.run(school.one.sets.waiting()) == []
+    more = replace(later, time=NOW + timedelta(minutes=3), revision=4)
+    assert asyncio.run(school.one.practice.keep_draft(more)) == (more, True)
+    assert asyncio.run(school.one.sets.waiting()) == []  # no attempt is left for it
 
 
 def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: School) -> None:
