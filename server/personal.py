@@ -7,7 +7,7 @@ reasons, and every answer that no judge has read.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any
 
@@ -108,7 +108,7 @@ async def collected(personal: Personal, sets: Sets, number: str) -> dict[str, An
         "submissions": [_told(one, one.handed.receipt in held) for one in kept.submissions],
         "drafts": kept.drafts, "problems": kept.problems,
         "marks": [row for row in kept.marks if row["submission"] not in held],
-        "extra_time": kept.extra, "acts": _acts(kept),
+        "extra_time": kept.extra, "acts": _acts(kept, held),
     }  # fmt: skip
     encoded: dict[str, Any] = jsonable_encoder(told)
     return encoded
@@ -130,11 +130,12 @@ def _told(marked: Marked, held: bool) -> dict[str, Any]:
     return told | {"score": grade.score, "verdicts": {name: one.code for name, one in grade.verdicts.items()}}
 
 
-def _acts(kept: Kept) -> list[dict[str, Any]]:
+def _acts(kept: Kept, held: Collection[str]) -> list[dict[str, Any]]:
     return [
         {"time": line.time, "action": line.entry.action, "by_person": line.entry.actor == kept.person["id"],
          "details": line.entry.details}
         for line in kept.acts
+        if line.entry.details.get("receipt") not in held
     ]  # fmt: skip
 
 

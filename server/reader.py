@@ -94,7 +94,7 @@ async def in_course(bench: Bench, reader: Reader, needed: InCourse, number: str)
     """
     found = await COURSES[needed.by](bench, number) if ids.known(number) else None
     course = await bench.courses.course(found) if found else None
-    role = await _role(bench, reader, course) if course else None
+    role = await role_in(bench, reader, course) if course else None
     if role is None:
         raise Refused(404, "unknown_course")
     if role < needed.role:
@@ -102,7 +102,7 @@ async def in_course(bench: Bench, reader: Reader, needed: InCourse, number: str)
     return replace(reader, course=course, in_course=role)
 
 
-async def _role(bench: Bench, reader: Reader, course: Course) -> CourseRole | None:
+async def role_in(bench: Bench, reader: Reader, course: Course) -> CourseRole | None:
     """Give the role in a course; a token that was made for less than its person may do less."""
     if reader.role is Role.ADMINISTRATOR:
         return CourseRole.LECTURER

@@ -22,8 +22,8 @@ from server import ids
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, printable, unknown_variant
 from server.exercises import known
-from server.policy import Role, may_see_solution, may_see_variant
-from server.reader import Asking, Reader, admit, remember, welcome
+from server.policy import CourseRole, Role, may_see_solution, may_see_variant
+from server.reader import Asking, Reader, admit, remember, role_in, welcome
 from server.relations import relations
 from server.sets import handing
 from server.storage import Dealt
@@ -226,10 +226,21 @@ async def visible(bench: Bench, reader: Reader, number: str) -> Dealt:
 
 async def sees(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
     """Whether a reader may look at a variant and what was handed in for it."""
+    return may_see_variant(reader.role, reader.owner_id, dealt, await _teaches(bench, reader, dealt))
+
+
+async def _teaches(bench: Bench, reader: Reader, dealt: Dealt) -> bool:
+    """Whether a reader teaches the owner: a card of a set is looked over in the course of the set alone, since whoever
+    lectures may put anybody on a roster."""
     person, owner = reader.person, dealt.owner
-    foreign = person is not None and not owner.anonymous and owner.id != person.id
-    teaches = foreign and person is not None and await bench.courses.teaches(person.id, owner.id)
-    return may_see_variant(reader.role, reader.owner_id, dealt, teaches)
+    if person is None or owner.anonymous or owner.id == person.id:
+        return False
+    place = await bench.sets.place(dealt.id) if dealt.code else None
+    if place is None:
+        return await bench.courses.teaches(person.id, owner.id)
+    course = await bench.courses.course(place.task_set.course)
+    role = await role_in(bench, reader, course) if course else None
+    return role is not None and role >= CourseRole.ASSISTANT
 
 
 def restored(dealt: Dealt) -> Variant:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from sqlalchemy import ColumnElement, Connection, func, insert, or_, select, update
+from sqlalchemy import ColumnElement, Connection, and_, func, insert, or_, select, update
 
 from server.storage import Answers, Draft, Problem
-from server.tables import deck, drafts, memberships, owners, problems, variants
+from server.tables import deck, drafts, memberships, owners, problems, slots, task_sets, variants
 
 
 def draft(connection: Connection, variant: str) -> Draft | None:
@@ -63,10 +63,15 @@ def settle_problem(connection: Connection, number: str, time: datetime, teacher:
 
 
 def _concerning(teacher: str | None) -> tuple[ColumnElement[bool], ...]:
-    """Those that a teacher's students reported, or nobody known; all where no teacher is named."""
+    """Those of the cards of a teacher's courses, and of practice by a teacher's students or by nobody known; all where
+    no teacher is named."""
     if teacher is None:
         return ()
     courses = select(memberships.c.course).where(memberships.c.person == teacher, memberships.c.role != "student")
     taught = select(memberships.c.person).where(memberships.c.course.in_(courses), memberships.c.role == "student")
     unknown = select(owners.c.id).where(owners.c.anonymous)
-    return (or_(problems.c.owner.in_(taught), problems.c.owner.in_(unknown)),)
+    card, sets = deck.alias(), select(task_sets.c.id).where(task_sets.c.course.in_(courses))
+    dealt = select(card.c.id).where(card.c.variant == problems.c.variant)
+    here = dealt.join(slots, slots.c.id == card.c.slot).where(slots.c.task_set.in_(sets))
+    practice = ~dealt.exists(), or_(problems.c.owner.in_(taught), problems.c.owner.in_(unknown))
+    return (or_(here.exists(), and_(*practice)),)

@@ -169,11 +169,12 @@ async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor
 
 
 async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str) -> list[TaskSet]:
-    """Move the open deadlines of published sets; those that have closed stay closed. Gives the sets that moved."""
+    """Move the deadlines of published sets of which one is still ahead; gives the sets that moved."""
     moved = []
     for task_set in sets:
         found = window(task_set.opens, task_set.due, task_set.closes, Rules.model_validate(task_set.rules))
-        if task_set.state != PUBLISHED or found.closes is None or now > found.closes:
+        ahead = any(moment is not None and now <= moment for moment in (found.due, found.closes))
+        if task_set.state != PUBLISHED or not ahead:
             continue
         due, closes = _later(task_set.due, minutes), _later(task_set.closes, minutes)
         entry = Entry(actor, Action.DEADLINES_MOVED, task_set.id, task_set.course, {"minutes": minutes})

@@ -70,7 +70,9 @@ def _item(values: Mapping[str, str], number: int) -> dict[str, Any]:
     return {
         "pool": values[f"slot.{number}.pool"].replace(",", " ").split(),
         "points": values.get(f"slot.{number}.points", "1").strip().replace(",", "."),
-        "attempts": int(attempts) if attempts.isascii() and attempts.isdecimal() else attempts or None,
+        "attempts": int(attempts)
+        if attempts.isascii() and attempts.isdecimal() and len(attempts) < 9
+        else attempts or None,
         "limits": _limits(values.get(f"slot.{number}.limits", "")),
     }
 

@@ -91,6 +91,58 @@ def test_a_draft_for_which_no_attempt_is_left_is_not_judged_again_and_again(cour
     assert variant not in [one.variant for one in waiting]
 
 
+def test_a_mark_by_hand_is_told_with_the_results(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"})
+    receipt = course.hand_in(course.variant(number), {"l3": "1 m"}).json()["receipt"]["id"]
+    mark = {"receipt": receipt, "answer": "l3", "share": 0.25, "comment": "the sign alone"}
+    assert course.lecturer.post(f"/api/v1/task-sets/{number}/marks", json=mark).status_code == 201
+    assert not told(course, receipt)
+    course.move(number, minutes=1)
+    assert told(course, receipt)
+
+
+def told(course: Course, receipt: str) -> bool:
+    """Whether the acts that are given out to a student speak of a receipt."""
+    return receipt in [act["details"].get("receipt") for act in course.student.get("/api/v1/me/data").json()["acts"]]
+
+
+def test_a_lecturer_elsewhere_who_puts_a_student_on_a_roster_sees_no_card_of_this_course(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"})
+    variant = course.variant(number)
+    receipt = course.hand_in(variant, {"l3": "1 m"}).json()["receipt"]["id"]
+    problem = course.student.post(f"/api/v1/variants/{variant}/problems", json={"text": "the figure?"}).json()["id"]
+    stranger = course.school.browser("stranger")
+    own = stranger.get("/api/v1/courses").json()[0]["id"]
+    roster = stranger.post(f"/api/v1/courses/{own}/roster", json={"csv": "student;Student", "apply": True})
+    assert roster.json()["changes"][0]["what"] == "joins"
+    paths = [f"/api/v1/variants/{variant}", f"/variants/{variant}", f"/variants/{variant}/solution"]
+    for path in [*paths, f"/api/v1/variants/{variant}/solution", f"/api/v1/submissions/{receipt}"]:
+        assert stranger.get(path).status_code == 404, path
+        assert course.lecturer.get(path).status_code == 200, path
+    assert problem not in [one["id"] for one in stranger.get("/api/v1/problems").json()["problems"]]
+    assert stranger.post(f"/api/v1/problems/{problem}/settle").status_code == 404
+    practice = course.student.post("/api/v1/exercises/planetary/variants").json()["id"]
+    reported = course.student.post(f"/api/v1/variants/{practice}/problems", json={"text": "and here?"}).json()["id"]
+    assert reported in [one["id"] for one in stranger.get("/api/v1/problems").json()["problems"]]
+    assert course.lecturer.post(f"/api/v1/problems/{problem}/settle").status_code == 204
+
+
+def test_a_deadline_moves_where_late_work_is_taken_without_an_end(course: Course) -> None:
+    number = course.published(rules={"late": "reduced"})
+    path = f"/api/v1/task-sets/{number}"
+    due = course.lecturer.get(path).json()["due"]
+    (moved,) = course.lecturer.post(f"{path}/extend", json={"minutes": 15}).json()
+    assert datetime.fromisoformat(moved["due"]) - datetime.fromisoformat(due) == timedelta(minutes=15)
+    course.move(number, minutes=1)
+    assert course.lecturer.post(f"{path}/extend", json={"minutes": 15}).json() == []
+
+
+def test_attempts_of_any_length_in_the_form_are_refused_by_name(course: Course) -> None:
+    form = {"title": "x", "revision": "1", "slot.1.pool": FREE, "slot.1.attempts": "9" * 5000}
+    refused = course.lecturer.post(f"/sets/{course.built()}", data=form)
+    assert (refused.status_code, refused.json()["error"]["field"]) == (422, "items.0.attempts")
+
+
 def test_a_time_limit_without_dates_holds_no_results_for_ever(course: Course) -> None:
     number = course.published(rules={"mode": "exam", "minutes": 30}, due=None)
     variant = course.variant(number)
