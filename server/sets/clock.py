@@ -54,6 +54,14 @@ def spoken(moment: datetime | None, place: ZoneInfo) -> str:
     return local(moment, place).replace("T", " ") if moment else "—"
 
 
+def left(until: datetime | None, now: datetime) -> tuple[str, int, int] | None:
+    """Give the time left in two parts, with the unit: days and hours, hours and minutes; none once it is up."""
+    minutes = int((until - now) / timedelta(minutes=1)) if until is not None and until > now else None
+    if minutes is None:
+        return None
+    return ("days", *divmod(minutes // 60, 24)) if minutes >= 24 * 60 else ("hours", *divmod(minutes, 60))
+
+
 def shifted(moment: datetime, days: int, place: ZoneInfo) -> datetime:
     """Move a moment by whole days; the hour on the wall stays."""
     wall = moment.astimezone(place).replace(tzinfo=None) + timedelta(days=days)

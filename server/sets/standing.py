@@ -131,6 +131,7 @@ async def on_page(bench: Bench, variant: str, now: datetime) -> dict[str, Any]:
         "own": own,
         "task_open": own.stage in (Stage.OPEN, Stage.LATE) and task.left != 0,
         "spoilt": last is not None and faulty(last),
+        "remaining": clock.left(own.window.due, now),
         "zone": course.time_zone,
         "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
     }

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from server.sets.clock import NoSuchMoment, local, read, shifted, zone
+from server.sets.clock import NoSuchMoment, left, local, read, shifted, zone
 
 WARSAW = zone("Europe/Warsaw")
 
@@ -47,3 +47,19 @@ def test_a_zone_that_does_not_exist_is_refused() -> None:
     for name in ("Europe/Atlantis", "../etc", ""):
         with pytest.raises(NoSuchMoment):
             zone(name)
+
+
+@pytest.mark.parametrize(
+    ("ahead", "told"),
+    [
+        (timedelta(days=5, hours=3, minutes=59), ("days", 5, 3)),
+        (timedelta(days=1), ("days", 1, 0)),
+        (timedelta(days=1) - timedelta(seconds=1), ("hours", 23, 59)),
+        (timedelta(seconds=59), ("hours", 0, 0)),
+        (timedelta(0), None),
+        (timedelta(days=-1), None),
+    ],
+)
+def test_the_time_left_is_told_in_two_parts_until_it_is_up(ahead: timedelta, told: tuple[str, int, int] | None) -> None:
+    now = datetime(2026, 11, 28, 22, tzinfo=UTC)
+    assert left(now + ahead, now) == told and left(None, now) is None
