@@ -1,4 +1,4 @@
-"""`grubler backup`: copies the embedded store while the server goes on."""
+"""`grubler backup`: copies the store to a file while the server goes on."""
 
 from __future__ import annotations
 

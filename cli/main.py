@@ -31,8 +31,8 @@ COMMANDS = {
     "user": "let somebody in by a one-time link",
     "export": "write all that is kept of a person, or the marks of a set or course",
     "erase": "erase a person; marks stay without a name",
-    "backup": "copy the embedded store",
-    "restore": "take a copy of the embedded store back",
+    "backup": "copy the store to a file",
+    "restore": "take a copy of a store back",
 }
 
 

@@ -1,4 +1,4 @@
-"""`grubler restore`: takes a copy of the embedded store back into an empty data folder."""
+"""`grubler restore`: takes a copy of a store back into an empty data folder or database."""
 
 from __future__ import annotations
 

@@ -51,6 +51,7 @@ class Envelope:
         head = scope["method"] == "HEAD"  # answered as GET, without the body
         scope = {**scope, "request_id": f"r-{secrets.token_hex(5)}"} | ({"method": "GET"} if head else {})
         sealed, start = Sealed(send, self._headers | {"X-Request-ID": scope["request_id"]}, head), perf_counter()
+        logs.REQUEST.set(scope["request_id"])
         try:
             await self._app(scope, bounded(scope, receive), sealed)
         except Exception:  # nothing of ours may reach the reader but its number

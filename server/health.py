@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
+
 from fastapi import APIRouter, Depends
 from pydantic import BaseModel
 
 from server.bench import Tools
-from server.errors import Failure
+from server.errors import Failure, unavailable
 from server.reader import admit
 
+SLOWEST = 3.0  # s
 router = APIRouter(dependencies=[Depends(admit)], tags=["operations"])
 
 
@@ -26,6 +29,10 @@ async def health() -> State:
 
 @router.get("/ready", responses={503: {"model": Failure}})
 async def ready(bench: Tools) -> State:
-    """The store answers as well."""
-    await bench.storage.check()
+    """The store answers as well, without delay, and has the tables of this version."""
+    try:
+        async with asyncio.timeout(SLOWEST):
+            await bench.storage.check()
+    except TimeoutError:  # while the store is migrated its tables are locked
+        raise unavailable() from None
     return State(status="ready")

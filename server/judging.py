@@ -8,6 +8,8 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextvars import copy_context
+from functools import partial
 from multiprocessing import get_context
 from typing import Any, ParamSpec, Protocol, TypeVar
 
@@ -50,7 +52,9 @@ class JudgingThread:
 
     async def run(self, compute: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Compute something of the exercise room."""
-        return await asyncio.get_running_loop().run_in_executor(self._thread, lambda: compute(*args, **kwargs))
+        here = copy_context()  # the number of the request goes along, for the log
+        work = partial(here.run, compute, *args, **kwargs)
+        return await asyncio.get_running_loop().run_in_executor(self._thread, work)
 
     async def grade(self, submission: Submission, secret: bytes, **rules: Any) -> Grade:
         """Grade a submission; a failure of ours is a grade too, and the attempt is returned."""

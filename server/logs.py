@@ -1,17 +1,42 @@
-"""Log lines as JSON, one an event, each with the number of its request; what people typed never stands in them."""
+"""Log lines, one an event, each with the number of its request; what people typed never stands in them."""
 
 from __future__ import annotations
 
 import json
 import logging
 import sys
-from collections.abc import Mapping
+import traceback
+from collections.abc import Iterator, Mapping
+from contextvars import ContextVar
 from datetime import UTC, datetime
+from types import TracebackType
+from typing import TypeAlias
 
 log = logging.getLogger("grubler.requests")
+REQUEST: ContextVar[str | None] = ContextVar("request", default=None)  # the number of the one that is being answered
+Raised: TypeAlias = tuple[type[BaseException], BaseException, TracebackType | None] | tuple[None, None, None]
 
 
-class Lines(logging.Formatter):
+class Plain(logging.Formatter):
+    """Writes a record for people. Of an exception it tells kind and place: its words may hold what somebody typed."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Write a record."""
+        number = REQUEST.get()
+        return f"{number} {super().format(record)}" if number else super().format(record)
+
+    def formatException(self, ei: Raised) -> str:  # logging calls it by this name
+        """Write where an exception was raised, and the kinds of it and of its causes."""
+        return "".join(traceback.format_tb(ei[2])) + " from ".join(_kinds(ei[1]))
+
+
+def _kinds(error: BaseException | None) -> Iterator[str]:
+    while error is not None:
+        yield type(error).__qualname__
+        error = error.__cause__ or error.__context__
+
+
+class Lines(Plain):
     """Writes a record as one line of JSON: line breaks and quotes of any text are escaped."""
 
     def format(self, record: logging.LogRecord) -> str:
@@ -22,7 +47,8 @@ class Lines(logging.Formatter):
             "logger": record.name,
             "message": record.getMessage(),
         }
-        fields = getattr(record, "fields", {})
+        number = REQUEST.get()
+        fields = ({"request": number} if number else {}) | getattr(record, "fields", {})
         if record.exc_info:
             line["exception"] = self.formatException(record.exc_info)
         return json.dumps({**line, **fields}, ensure_ascii=False)
@@ -31,8 +57,7 @@ class Lines(logging.Formatter):
 def install(kind: str) -> None:
     """Send the log to standard error: warnings as text, or every request as a line of JSON."""
     handler = logging.StreamHandler(sys.stderr)
-    if kind == "json":
-        handler.setFormatter(Lines())
+    handler.setFormatter(Lines() if kind == "json" else Plain())
     root = logging.getLogger()
     root.handlers[:] = [handler]
     root.setLevel(logging.INFO if kind == "json" else logging.WARNING)

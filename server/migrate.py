@@ -51,11 +51,12 @@ def _upgrade(connection: Connection) -> None:
 def current(url: str) -> bool:
     """Whether the store has exactly the tables of this version."""
     store = engine(url, connections=1)
-    with store.connect() as connection, as_file(files("server") / "migrations") as folder:
-        head = ScriptDirectory.from_config(_config(str(folder))).get_current_head()
-        found = MigrationContext.configure(connection).get_current_revision()
-    store.dispose()
-    return found == head
+    try:
+        with store.connect() as connection, as_file(files("server") / "migrations") as folder:
+            head = ScriptDirectory.from_config(_config(str(folder))).get_current_head()
+            return MigrationContext.configure(connection).get_current_revision() == head
+    finally:
+        store.dispose()
 
 
 def _config(folder: str) -> Config:

@@ -9,6 +9,7 @@ from socket import socket
 from typing import Any
 
 import uvicorn
+from sqlalchemy.exc import SQLAlchemyError
 
 from server import accounts, logs, tokens
 from server import migrate as migrations
@@ -21,23 +22,25 @@ from server.regrading import command
 from server.settings import Settings, SettingsError, check
 from server.storage.jobs import Job
 
+GRACE = 30  # s that requests under way have when the process is told to end
+
 
 def serve(settings: Settings) -> None:
     """Serve until the process is told to end. The embedded store is brought up to date first.
 
     Raises:
-        SettingsError: The bind is not safe, or the PostgreSQL store lacks migrations.
+        SettingsError: The bind is not safe, or the PostgreSQL store does not answer or lacks migrations.
         MigrationError: A newer version of the program has written the store.
     """
     check(settings)
     logs.install(settings.log)
     if settings.embedded:
         migrate(settings)
-    elif not migrations.current(settings.store_url):
+    elif not _current(settings):
         raise SettingsError("the database lacks migrations: run `grubler migrate` first")
     config = uvicorn.Config(
         create_app(settings), host=settings.host, port=settings.port, log_level="warning", access_log=False,
-        server_header=False, proxy_headers=False,
+        server_header=False, proxy_headers=False, log_config=None, timeout_graceful_shutdown=GRACE,
     )  # fmt: skip
     server = Announced(config)
     server.address = settings.address
@@ -46,6 +49,13 @@ def serve(settings: Settings) -> None:
         server.run()
     if not server.started:
         raise SystemExit(3)
+
+
+def _current(settings: Settings) -> bool:
+    try:
+        return migrations.current(settings.store_url)
+    except SQLAlchemyError as error:
+        raise SettingsError(f"the database does not answer: {error}") from error
 
 
 class Announced(uvicorn.Server):

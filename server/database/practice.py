@@ -6,11 +6,12 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, bindparam, delete, exists, func, insert, select, update
+from sqlalchemy import Connection, Row, Select, bindparam, delete, exists, func, insert, select, text, update
 
 from server.database import work
 from server.database.connections import Connections
 from server.database.once import insert_once
+from server.migrations import newest
 from server.sets.rules import same
 from server.storage import (
     Answers,
@@ -24,7 +25,7 @@ from server.storage import (
     StorageUnavailable,
     UnknownVariant,
 )
-from server.tables import deck, drafts, grades, owners, problems, settings, submissions, variants
+from server.tables import deck, drafts, grades, owners, problems, submissions, variants
 
 EARLIER = 20  # submissions with which a new one is compared
 VARIANT = (
@@ -121,8 +122,13 @@ class Practice:
         return await self._connections.write(lambda connection: connection.execute(change).rowcount)
 
     async def check(self) -> None:
-        """Raise StorageUnavailable unless the store answers."""
-        await self._connections.read(lambda connection: connection.execute(select(settings.c.name).limit(1)).first())
+        """Raise StorageUnavailable unless the store answers and has the tables of this version or of a later one."""
+        if (await self._connections.read(_version)) < newest():
+            raise StorageUnavailable("the store lacks migrations")
+
+
+def _version(connection: Connection) -> str:
+    return str(connection.execute(text("SELECT version_num FROM alembic_version")).scalar_one())
 
 
 def _keep_variant(connection: Connection, variant: Dealt) -> None:

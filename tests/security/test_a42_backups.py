@@ -14,6 +14,7 @@ from server.app import create_app
 from server.backup import BackupError, backup, content, restore
 from server.run import migrate
 from server.settings import Settings
+from tests.server.stores import Postgres, free_port
 
 
 @pytest.fixture
@@ -56,14 +57,42 @@ def test_nothing_is_written_over(filled: Settings, tmp_path: Path) -> None:
         restore(filled, tmp_path / "copy")
 
 
-def test_a_store_elsewhere_is_left_to_its_own_tools(tmp_path: Path) -> None:
-    elsewhere = Settings(tmp_path, database_url="postgresql://localhost/grubler")
-    with pytest.raises(BackupError, match="pg_dump"):
+def test_a_store_that_is_not_there_is_named(filled: Settings, tmp_path: Path) -> None:
+    elsewhere = Settings(tmp_path, database_url=f"postgresql://127.0.0.1:{free_port()}/grubler")
+    with pytest.raises(BackupError, match="cannot be written"):
         backup(elsewhere, tmp_path / "copy")
-    with pytest.raises(BackupError, match="pg_restore"):
-        restore(elsewhere, tmp_path / "copy")
+    assert not (tmp_path / "copy").exists()
     with pytest.raises(BackupError, match="no store"):
         backup(Settings(tmp_path / "none"), tmp_path / "copy")
+    backup(filled, tmp_path / "copy")
+    with pytest.raises(BackupError, match="does not take the copy"):
+        restore(elsewhere, tmp_path / "copy")
+
+
+def test_a_drill_on_postgresql_gives_the_same_digest_and_a_server_that_goes_on(
+    filled: Settings, tmp_path: Path, postgres: Postgres
+) -> None:
+    first, second = (Settings(tmp_path, database_url=postgres.empty(), limited=False) for _ in range(2))
+    copied = backup(filled, tmp_path / "copy")
+    assert restore(first, tmp_path / "copy") == copied
+    with TestClient(create_app(first), base_url="http://localhost") as client:
+        number = client.post("/api/v1/exercises/slider_crank/variants", json={"seed": 3}).json()["id"]
+        graded = client.post(f"/api/v1/variants/{number}/submissions", json={"answers": {"l3": "1 m"}}).json()
+        made = backup(first, tmp_path / "more")
+        cookie = client.cookies["grubler_practice"]
+    assert restore(second, tmp_path / "more") == made and made.rows > copied.rows
+    assert backup(second, tmp_path / "again") == made
+    with TestClient(create_app(second), base_url="http://localhost", cookies={"grubler_practice": cookie}) as client:
+        assert client.get(f"/api/v1/submissions/{graded['receipt']['id']}").json() == graded
+        answers = {"answers": {"l3": "2 m"}}
+        assert client.post(f"/api/v1/variants/{number}/submissions", json=answers).status_code == 201
+    with pytest.raises(BackupError, match="holds something already"):
+        restore(second, tmp_path / "copy")
+
+
+def test_a_database_without_tables_is_not_copied(tmp_path: Path, postgres: Postgres) -> None:
+    with pytest.raises(BackupError, match="grubler migrate"):
+        backup(Settings(tmp_path, database_url=postgres.empty()), tmp_path / "copy")
 
 
 @pytest.mark.parametrize(
