@@ -3,7 +3,8 @@
 Both servers run the same application, middleware, schema and commit path; `NoGrading` is the whole difference. Every
 submission is the first to a variant of its own, taken from the server just before, and its formula is spelled otherwise
 than the reference: nothing is graded twice.
-Rounds alternate, so that a busy machine slows both. Run: ``uv run python benchmarks/http.py``.
+Rounds alternate, so that a busy machine slows both. Every second submission may hold a slip, which is then explained.
+Run: ``uv run python benchmarks/http.py [--store postgres] [--slips]``; prints the ratio last.
 """
 
 from __future__ import annotations
@@ -16,22 +17,21 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # else this file would s
 import argparse  # noqa: E402
 import asyncio  # noqa: E402
 import json  # noqa: E402
-import socket  # noqa: E402
+import os  # noqa: E402
 import subprocess  # noqa: E402
 import time  # noqa: E402
-from dataclasses import dataclass  # noqa: E402
+from dataclasses import dataclass, replace  # noqa: E402
 from statistics import median  # noqa: E402
-from tempfile import TemporaryDirectory  # noqa: E402
 
 import uvicorn  # noqa: E402
 
+from benchmarks.stores import KINDS, settings, stores  # noqa: E402
 from exercises import grading  # noqa: E402
 from exercises.exercise import Grade, Submission  # noqa: E402
 from exercises.variants import deal  # noqa: E402
 from server.app import create_app  # noqa: E402
 from server.judging import JudgingThread  # noqa: E402
-from server.run import migrate  # noqa: E402
-from server.settings import Settings  # noqa: E402
+from tests.server.stores import free_port  # noqa: E402
 
 EXERCISE = "slider_crank"
 SEED = 7
@@ -51,11 +51,13 @@ class NoGrading(JudgingThread):
         return self._made
 
 
-def serve(folder: str, port: int, graded: bool) -> None:
+SLIP = {"l3": "-1 mm"}
+
+
+def serve(port: int, graded: bool) -> None:
     """Serve in this process."""
-    settings = Settings(Path(folder), port=port, limited=False)
-    migrate(settings)
-    app = create_app(settings, judging=None if graded else NoGrading())
+    told = replace(settings(os.environ), port=port, limited=False)
+    app = create_app(told, judging=None if graded else NoGrading())
     uvicorn.run(app, port=port, log_level="warning", access_log=False, server_header=False)
 
 
@@ -102,19 +104,20 @@ async def started(port: int) -> None:
     raise SystemExit("the server does not start")
 
 
-async def prepare(port: int, clients: int, requests: int, seed: int) -> Target:
-    """Every client takes its variants of a round, from a seed upwards, and writes the right answers to them."""
+async def prepare(port: int, clients: int, requests: int, seed: int, slips: bool) -> Target:
+    """Every client takes its variants of a round, from a seed upwards, and writes the answers to them."""
     own = requests // clients
-    taken = [[await take(port, seed + client * own + number) for number in range(own)] for client in range(clients)]
+    numbers = [[seed + client * own + number for number in range(own)] for client in range(clients)]
+    taken = [[await take(port, number, slips and number % 2 == 1) for number in mine] for mine in numbers]
     return Target(port, tuple(map(tuple, taken)))
 
 
-async def take(port: int, seed: int) -> bytes:
-    """Take a variant; gives the request that hands in the right answers to it."""
+async def take(port: int, seed: int, slip: bool = False) -> bytes:
+    """Take a variant; gives the request that hands in the answers to it, right unless one is a slip."""
     head, body = await call(port, post(f"/api/v1/exercises/{EXERCISE}/variants", {"seed": seed}))
     cookie = next(line for line in head.decode().split("\r\n") if line.lower().startswith("set-cookie:"))
     path = f"/api/v1/variants/{json.loads(body)['id']}/submissions"
-    answers = grading.reference(deal(EXERCISE, seed)) | TYPED
+    answers = grading.reference(deal(EXERCISE, seed)) | TYPED | (SLIP if slip else {})
     return post(path, {"answers": answers}, cookie.split(":", 1)[1].split(";")[0].strip())
 
 
@@ -131,42 +134,40 @@ async def one_client(port: int, own: tuple[bytes, ...]) -> None:
     for request in own:
         writer.write(request)
         head, body = await receive(reader)
-        if not head.startswith(b"HTTP/1.1 201") or json.loads(body)["score"] != 1:
+        right = json.loads(body).get("score") == 1 or SLIP["l3"].encode() in request
+        if not head.startswith(b"HTTP/1.1 201") or not right:
             raise SystemExit(f"not acknowledged as right: {head!r} {body!r}")
     writer.close()
 
 
-async def measure(ports: dict[str, int], rounds: int, requests: int, clients: int) -> dict[str, list[float]]:
+async def measure(ports: dict[str, int], given: argparse.Namespace) -> dict[str, list[float]]:
     """Load the servers in turn."""
+    rounds, requests, clients = given.rounds, given.requests, given.clients
     rates: dict[str, list[float]] = {name: [] for name in ports}
     for port in ports.values():
         await started(port)
     for turn in range(rounds + 1):
         for name, port in ports.items():
-            rates[name].append(await load(await prepare(port, clients, requests, SEED + turn * requests)))
+            rates[name].append(await load(await prepare(port, clients, requests, SEED + turn * requests, given.slips)))
     return {name: found[1:] for name, found in rates.items()}  # the first round warms up
 
 
-def free_port() -> int:
-    """Find a port that nobody listens at."""
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        return int(found.getsockname()[1])
-
-
-def compare(rounds: int, requests: int, clients: int) -> None:
+def compare(given: argparse.Namespace) -> None:
     """Start both servers, load them in turn, print rates and ratio."""
     ports = {"graded": free_port(), "no-op": free_port()}
-    with TemporaryDirectory() as graded, TemporaryDirectory() as plain:
-        folders = {"graded": graded, "no-op": plain}
-        commands = ([sys.executable, __file__, "--serve", name, folders[name], str(ports[name])] for name in ports)
-        servers = [subprocess.Popen(command) for command in commands]
+    with stores(given.store, len(ports)) as laid:
+        servers = [
+            subprocess.Popen([sys.executable, __file__, "--serve", name, str(port)], env={**os.environ, **environment})
+            for (name, port), environment in zip(ports.items(), laid, strict=True)
+        ]
         try:
-            rates = asyncio.run(measure(ports, rounds, requests, clients))
+            rates = asyncio.run(measure(ports, given))
         finally:
             for server in servers:
                 server.terminate()
                 server.wait()
+    answered = "every second with a slip" if given.slips else "all right"
+    print(f"store {given.store}, {answered}, load average {os.getloadavg()[0]:.1f}")
     for name, found in rates.items():
         print(
             f"{name}: {median(found):.0f} submissions/s ({min(found):.0f} to {max(found):.0f} in {len(found)} rounds)"
@@ -180,12 +181,14 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--requests", type=int, default=960)
     parser.add_argument("--clients", type=int, default=32)
-    parser.add_argument("--serve", nargs=3, metavar=("WHICH", "FOLDER", "PORT"))
+    parser.add_argument("--store", choices=KINDS, default="sqlite")
+    parser.add_argument("--slips", action="store_true", help="every second submission holds a slip")
+    parser.add_argument("--serve", nargs=2, metavar=("WHICH", "PORT"))
     given = parser.parse_args()
     if given.serve:
-        serve(given.serve[1], int(given.serve[2]), given.serve[0] == "graded")
+        serve(int(given.serve[1]), given.serve[0] == "graded")
     else:
-        compare(given.rounds, given.requests, given.clients)
+        compare(given)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Power cuts: clients hand in, the server is killed at random, and every acknowledged receipt must still be answered.
 
-Run: ``uv run python benchmarks/kill.py --cycles 1000``; prints acknowledged and lost submissions.
+Run: ``uv run python benchmarks/kill.py --cycles 1000 [--store postgres]``; prints acknowledged and lost submissions.
 """
 
 from __future__ import annotations
@@ -14,14 +14,15 @@ import argparse  # noqa: E402
 import json  # noqa: E402
 import os  # noqa: E402
 import random  # noqa: E402
-import socket  # noqa: E402
 import subprocess  # noqa: E402
 import time  # noqa: E402
 from dataclasses import dataclass, field  # noqa: E402
 from http.client import HTTPConnection, HTTPException  # noqa: E402
-from tempfile import TemporaryDirectory  # noqa: E402
 from threading import Event, Thread  # noqa: E402
 from typing import Any  # noqa: E402
+
+from benchmarks.stores import KINDS, Environment, stores  # noqa: E402
+from tests.server.stores import free_port  # noqa: E402
 
 PROGRAM = """
 import os
@@ -40,13 +41,13 @@ OLD = 20  # receipts of earlier cycles that are looked up again in each cycle
 class Server:
     """The server that is killed again and again."""
 
-    folder: str
+    environment: Environment
     port: int
     process: subprocess.Popen[bytes] | None = None
 
     def start(self) -> None:
         """Start it and wait until it serves."""
-        environ = {**os.environ, "GRUBLER_DATA_DIR": self.folder, "GRUBLER_PORT": str(self.port)}
+        environ = {**os.environ, **self.environment, "GRUBLER_PORT": str(self.port)}
         command = [sys.executable, "-c", PROGRAM]
         self.process = subprocess.Popen(command, env=environ, stdout=subprocess.DEVNULL, cwd=sys.path[0])
         deadline = time.monotonic() + START
@@ -139,20 +140,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cycles", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
-    given = parser.parse_args()
+    parser.add_argument("--store", choices=KINDS, default="sqlite")
+    given, port = parser.parse_args(), free_port()
     chance, lost = random.Random(given.seed), 0
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        port = int(found.getsockname()[1])
-    with TemporaryDirectory() as folder:
-        server = Server(folder, port)
+    with stores(given.store) as (environment,):
+        server = Server(environment, port)
         server.start()
         clients = [new_client(port) for _ in range(CLIENTS)]
         for _ in range(given.cycles):
             lost += cycle(server, clients, chance)
         lost_at_the_end = sum(client.lost(client.receipts) for client in clients)
         server.kill()
-    print(f"acknowledged {sum(len(client.receipts) for client in clients)} in {given.cycles} kills")
+    acknowledged = sum(len(client.receipts) for client in clients)
+    print(f"store {given.store}: acknowledged {acknowledged} in {given.cycles} kills")
     print(f"lost {max(lost, lost_at_the_end)}")
     sys.exit(1 if lost or lost_at_the_end else 0)
 

@@ -165,7 +165,7 @@ def answers(environment: Environment, variants: dict[str, str], chance: random.R
     """Write what each student types: right, with a slip in every second, hostile in one of a hundred."""
     store = engine(settings(environment).store_url, connections=1)
     with store.connect() as connection:
-        seeds = dict(connection.execute(select(deck.c.variant, deck.c.seed)).tuples().all())
+        seeds = {row.variant: row.seed for row in connection.execute(select(deck.c.variant, deck.c.seed))}
     store.dispose()
     typed: dict[str, dict[str, str]] = {}
     for number, (student, variant) in enumerate(variants.items()):

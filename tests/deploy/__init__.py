@@ -1,0 +1,1 @@
+"""What stands in `deploy/` fits to the program and keeps the promises of the manual."""
