@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 from collections.abc import Mapping
 from datetime import UTC, datetime, timedelta
+from functools import lru_cache
 from html import escape
 from typing import Annotated, Any
 
@@ -33,6 +34,7 @@ USED = timedelta(days=1)  # how exactly the last use is noted; a variant expires
 SEED_RANGE = dealing.MAX_SEED
 PRESENTED: TypeAdapter[presenting.Presented] = TypeAdapter(presenting.Presented)
 
+KEPT = 512  # variants whose pages need not be drawn again
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["variants"])
 GONE: dict[int | str, dict[str, Any]] = {404: {"model": Failure}, 410: {"model": Failure}}
 
@@ -261,7 +263,13 @@ async def presented(bench: Bench, dealt: Dealt, language: str) -> presenting.Pre
     place = await bench.sets.place(dealt.id) if dealt.code else None
     if place is not None:
         return PRESENTED.validate_python(place.card.shown[language])
-    return await bench.judging.run(presenting.presented, restored(dealt), language)
+    return await bench.judging.run(_presented, restored(dealt), language)
+
+
+@lru_cache(maxsize=KEPT)
+def _presented(variant: Variant, language: str) -> presenting.Presented:
+    """Present a variant; drawing its figure again at every look is a third of the work of its page."""
+    return presenting.presented(variant, language)
 
 
 async def shown(bench: Bench, dealt: Dealt, language: str, *, resolved: bool = False) -> ShownVariant:

@@ -11,7 +11,8 @@ import pytest
 from sqlalchemy import update
 from starlette.testclient import TestClient
 
-from exercises import grading
+from exercises import grading, presenting
+from exercises.exercise import Variant
 from exercises.variants import deal as dealt_by_hand
 from server.app import create_app
 from server.engine import engine
@@ -49,6 +50,21 @@ def test_a_variant_shows_all_that_is_needed_to_answer(client: TestClient) -> Non
 def test_the_same_seed_gives_the_same_givens(client: TestClient) -> None:
     one, other = (client.post("/api/v1/exercises/slider_crank/variants", json={"seed": 9}).json() for _ in range(2))
     assert one["givens"] == other["givens"] and one["id"] != other["id"]
+
+
+def test_a_variant_is_drawn_once_in_each_language(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    drawn: list[str] = []
+    draw = presenting.presented
+
+    def noted(variant: Variant, language: str) -> presenting.Presented:
+        drawn.append(language)
+        return draw(variant, language)
+
+    monkeypatch.setattr(presenting, "presented", noted)
+    number = client.post("/api/v1/exercises/slider_crank/variants?lang=pl", json={"seed": 20261128}).json()["id"]
+    looks = [client.get(f"/api/v1/variants/{number}?lang={lang}").json() for lang in ("pl", "en", "pl", "en")]
+    assert drawn == ["pl", "en"]
+    assert looks[0] == looks[2] != looks[1] == looks[3]
 
 
 def test_without_a_seed_one_is_drawn(client: TestClient) -> None:
