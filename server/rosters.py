@@ -65,11 +65,12 @@ def read(text: str) -> tuple[list[Row], list[Unread]]:
         raise Refused(422, "long_roster", field="roster", most=MOST_ROWS)
     rows: list[Row] = []
     unread: list[Unread] = []
-    for number, cells in enumerate(csv.reader(lines, delimiter=_delimiter(lines)), 1):
-        cells = [cell.strip() for cell in cells]
-        if not any(cells) or (number == 1 and cells[0].casefold() in HEADINGS):
-            continue
+    delimiter = _delimiter(lines)
+    for number, line in enumerate(lines, 1):
         try:
+            cells = _cells(line, delimiter)
+            if not any(cells) or (number == 1 and cells[0].casefold() in HEADINGS):
+                continue
             rows.append(_row(cells, rows))
         except Refused as refused:
             unread.append(Unread(number, refused.code))
@@ -79,6 +80,14 @@ def read(text: str) -> tuple[list[Row], list[Unread]]:
 def _delimiter(lines: Sequence[str]) -> str:
     first = next((line for line in lines if line.strip()), "")
     return max(";,\t", key=first.count)
+
+
+def _cells(line: str, delimiter: str) -> list[str]:
+    """Part a line; a quotation mark that is not closed in it does not swallow the lines that follow."""
+    try:
+        return [cell.strip() for cells in csv.reader([line], delimiter=delimiter, strict=True) for cell in cells]
+    except csv.Error:
+        raise Refused(422, "bad_quotes") from None
 
 
 def _row(cells: Sequence[str], before: Sequence[Row]) -> Row:

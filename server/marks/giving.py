@@ -62,12 +62,15 @@ async def give(bench: Bench, reader: Reader, task_set: TaskSet, new: NewMark) ->
     """Store a mark. What the judges have decided is changed with a reason alone.
 
     Raises:
-        Refused: 404, no such submission in this set; 422, no such answer, or no reason.
+        Refused: 404, no such submission in this set; 403, it is the reader's own, from before the reader taught here;
+            422, no such answer, or no reason.
     """
     marked = await bench.storage.submission(new.receipt) if ids.known(new.receipt) else None
     place = await bench.sets.place(marked.handed.variant) if marked else None
     if marked is None or place is None or place.task_set.id != task_set.id or place.card.person is None:
         raise Refused(404, "unknown_submission")
+    if place.card.person == themselves(reader).id:
+        raise Refused(403, "own_work")
     if new.answer is not None and new.answer not in marked.grade["verdicts"]:
         raise Refused(422, "unknown_answer", field="answer", name=printable(new.answer))
     if not new.comment.strip() and (new.share is None or not await _is_open(bench, marked, new.answer)):
@@ -114,7 +117,7 @@ async def settle(bench: Bench, reader: Reader, task_set: TaskSet, new: Settling)
     """
     wanted = new.item, new.answer, new.text.strip()
     same = [one for one in await waiting(bench, task_set) if (one.item, one.answer, one.text) == wanted]
-    lines = [line for one in same for line in one.lines]
+    lines = [line for one in same for line in one.lines if line.person != themselves(reader).id]
     if not lines:
         raise Refused(404, "settled_already")
     await bench.marks.give(_alike(lines, new, themselves(reader).id), audit.entry(

@@ -43,6 +43,13 @@ def send(browser: TestClient, school: School, content: bytes, name: str = "lista
     return reply.status_code, reply.text
 
 
+@pytest.mark.parametrize("name", ['"Anna', 'Anna "', '"Anna" Nowak', '"' + "a" * 200_000, "a" * 200_000])
+def test_a_quotation_mark_out_of_place_swallows_no_student(name: str) -> None:
+    rows, unread = rosters.read(f'1001;{name}\n1002;"Nowak; Jan";B\n')
+    assert (rows[-1].login, rows[-1].name, rows[-1].group) == ("1002", "Nowak; Jan", "B")
+    assert [one.line for one in unread] == [1] * (2 - len(rows)) and len(rows) == 1 + (name == 'Anna "')
+
+
 def test_a_file_shows_what_will_change_and_changes_nothing(school: School) -> None:
     lecturer = school.browser("lecturer")
     status, page = send(lecturer, school, (POLISH + "student;Ktoś Inny;\r\n").encode("cp1250"))

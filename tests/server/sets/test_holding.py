@@ -127,6 +127,21 @@ def test_a_lecturer_elsewhere_who_puts_a_student_on_a_roster_sees_no_card_of_thi
     assert course.lecturer.post(f"/api/v1/problems/{problem}/settle").status_code == 204
 
 
+def test_an_assistant_does_not_mark_what_was_handed_in_as_a_student(course: Course) -> None:
+    number = course.published()
+    receipt = course.hand_in(course.variant(number, course.other), {"l3": "1 m"}, who=course.other).json()["receipt"][
+        "id"
+    ]
+    member = f"/api/v1/courses/{course.school.course}/members/{course.school.people['other']}"
+    mark = {"receipt": receipt, "share": 1.0, "comment": "well done"}
+    assert course.lecturer.patch(member, json={"role": "assistant"}).status_code == 200
+    try:
+        assert code_of(course.other.post(f"/api/v1/task-sets/{number}/marks", json=mark)) == (403, "own_work")
+        assert course.lecturer.post(f"/api/v1/task-sets/{number}/marks", json=mark).status_code == 201
+    finally:
+        course.lecturer.patch(member, json={"role": "student"})
+
+
 def test_a_deadline_moves_where_late_work_is_taken_without_an_end(course: Course) -> None:
     number = course.published(rules={"late": "reduced"})
     path = f"/api/v1/task-sets/{number}"
