@@ -13,6 +13,7 @@ from server.courses import HERE, here
 from server.marks import export, giving, gradebook
 from server.marks.giving import NewMark, Settling
 from server.marks.history import history
+from server.marks.items import ShownItem, items, shown_item
 from server.marks.shapes import (
     CourseGradebook,
     SetProgress,
@@ -90,6 +91,13 @@ async def show_progress(task_set: str, bench: Tools, reader: Asking) -> SetProgr
 async def show_history(task_set: str, person: str, bench: Tools, reader: Asking) -> ShownHistory:
     """Give all of a student's work in a set: what was shown, typed, judged and marked."""
     return shown_history(await history(bench, await set_of(bench, reader, task_set), person))
+
+
+@router.get("/task-sets/{task_set}/statistics", responses=HERE)
+async def show_statistics(task_set: str, bench: Tools, reader: Asking) -> list[ShownItem]:
+    """Tell what the answers of the class say of the tasks; groups of fewer than five students are hidden."""
+    found = await items(bench, await set_of(bench, reader, task_set))
+    return [shown_item(one, reader.language) for one in found]
 
 
 @router.post("/task-sets/{task_set}/marks", status_code=201, responses=HERE)

@@ -22,6 +22,7 @@ from server.marks import giving, gradebook
 from server.marks.giving import NewMark, Settling
 from server.marks.gradebook import Gradebook
 from server.marks.history import history
+from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
 from server.reader import Asking, Reader, admit
 from server.receipts import whole
@@ -60,6 +61,22 @@ async def show_results(task_set: str, request: Request, bench: Tools, reader: As
         "names": {row.member.person.id: row.member.person.name for row in found.rows},
     }
     return page(request, reader.language, "results.html", context | _common(reader))
+
+
+@router.get("/sets/{task_set}/analysis")
+async def show_analysis(task_set: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
+    """Show what the answers of a class tell of the tasks."""
+    found = await set_of(bench, reader, task_set)
+    shown = [shown_item(one, reader.language) for one in await items(bench, found)]
+    context = {
+        "task_set": found,
+        "items": shown,
+        "titles": {slot.number: ", ".join(slot.pool) for slot in found.slots},
+        "signed": partial(_signed, reader.language),
+        "rounded": partial(_rounded, reader.language, places=1),
+        "chance": partial(_rounded, reader.language, places=4),
+    }
+    return page(request, reader.language, "analysis.html", context | _common(reader))
 
 
 @router.get("/courses/{course}/results")
@@ -166,6 +183,15 @@ def _number(language: str, value: float) -> str:
     """Write a number of points as a language does: at most three places."""
     text = f"{value:.3f}".rstrip("0").rstrip(".")
     return text if language == "en" else text.replace(".", ",")
+
+
+def _rounded(language: str, value: float, *, places: int) -> str:
+    text = f"{value:.{places}f}"
+    return text if language == "en" else text.replace(".", ",")
+
+
+def _signed(language: str, value: float) -> str:
+    return _rounded(language, value, places=2).replace("-", "−")
 
 
 def _told(language: str, number: Callable[[float], str], name: str, cell: Any) -> str:
