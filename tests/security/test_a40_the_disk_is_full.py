@@ -1,0 +1,53 @@
+"""A40: where a submission cannot be stored nothing is acknowledged, and a time to come back is given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from anyio.from_thread import BlockingPortal
+from sqlalchemy import Connection
+from starlette.testclient import TestClient
+
+LONG = "1" + "0" * 20_000
+
+
+@pytest.fixture
+def pages(client: TestClient) -> Any:
+    """Bounds the pages that the store may have, as a full disk does; none lifts the bound."""
+    connections = client.app.state.bench.storage._connections  # type: ignore[attr-defined]
+    portal = client.portal
+    assert isinstance(portal, BlockingPortal)
+
+    def bounded(free: bool) -> None:
+        def write(connection: Connection) -> None:
+            used = connection.exec_driver_sql("PRAGMA page_count").scalar_one()
+            connection.exec_driver_sql(f"PRAGMA max_page_count={2**30 if free else used}")
+
+        portal.call(connections.write, write)
+
+    return bounded
+
+
+def test_a_full_disk_acknowledges_nothing_and_the_same_request_is_stored_once_later(
+    client: TestClient, pages: Any
+) -> None:
+    path, stored = f"/api/v1/variants/{client.headers['x-variant']}/submissions", []
+    pages(free=False)
+    for number in range(50):
+        reply = client.post(path, json={"answers": {"l3": LONG}}, headers={"idempotency-key": f"try {number}"})
+        if reply.status_code != 201:
+            break
+        stored.append(reply.json()["receipt"]["id"])
+    assert (reply.status_code, reply.json()["error"]["code"]) == (503, "unavailable")
+    assert int(reply.headers["retry-after"]) > 0
+    assert client.get("/health").status_code == 200
+    for receipt in stored:  # what was acknowledged before is there
+        assert client.get(f"/api/v1/submissions/{receipt}").status_code == 200
+    pages(free=True)
+    again = [
+        client.post(path, json={"answers": {"l3": LONG}}, headers={"idempotency-key": f"try {number}"})
+        for _ in range(2)
+    ]
+    assert [one.status_code for one in again] == [201, 200]
+    assert again[0].json()["receipt"] == again[1].json()["receipt"]
