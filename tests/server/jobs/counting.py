@@ -49,7 +49,7 @@ def write(connection: Connection, batch: Batch, outcome: Any) -> Kept:
 def finish(connection: Connection, job: Job) -> Ending:
     done = connection.execute(select(batches.c.result).where(batches.c.job == job.id)).scalars()
     total = sum(done)
-    return Ending({"sum": total}, failed=total > 1000)
+    return Ending({"sum": total}, failed=total > 10_000)
 
 
 def undo(connection: Connection, job: Job) -> None:

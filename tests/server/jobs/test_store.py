@@ -159,9 +159,9 @@ def test_a_batch_that_keeps_failing_ends_its_job_and_leaves_nothing(jobs: Jobs) 
 
 def test_a_job_whose_ending_is_a_failure_leaves_nothing(jobs: Jobs) -> None:
     number = started(jobs, [1], "too much")
-    keep(jobs, held(jobs, number), 2000)
+    keep(jobs, held(jobs, number), 20_000)
     found = job(jobs, number)
-    assert (found.state, found.result, rows(jobs, number)) == ("failed", {"sum": 2000}, 0)
+    assert (found.state, found.result, rows(jobs, number)) == ("failed", {"sum": 20_000}, 0)
 
 
 def test_a_cancelled_job_takes_no_more(jobs: Jobs) -> None:

@@ -1,0 +1,167 @@
+"""Regrading a set of many submissions: how fast, with how much memory, and what a second worker brings.
+
+Half of the submissions are right; of the others each has a wrong answer of its own, for which slips are tried. The
+first regrade finds another grade for every submission and writes it; the second one finds the same to the last sign and
+writes nothing. Run: ``uv run python benchmarks/regrade.py --submissions 100000``.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
+
+import argparse  # noqa: E402
+import asyncio  # noqa: E402
+import os  # noqa: E402
+import time  # noqa: E402
+from collections.abc import Iterator  # noqa: E402
+from concurrent.futures import ProcessPoolExecutor  # noqa: E402
+from datetime import UTC, datetime, timedelta  # noqa: E402
+from multiprocessing import get_context  # noqa: E402
+from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage  # noqa: E402
+from tempfile import TemporaryDirectory  # noqa: E402
+from typing import Any  # noqa: E402
+
+from sqlalchemy import insert  # noqa: E402
+
+from exercises import catalogue, verifying  # noqa: E402
+from exercises.variants import deal, dump  # noqa: E402
+from server.database import Database, regrades  # noqa: E402
+from server.engine import engine  # noqa: E402
+from server.jobs.engine import Engine  # noqa: E402
+from server.jobs.kinds import KINDS  # noqa: E402
+from server.jobs.working import Bureau  # noqa: E402
+from server.judging import JudgingThread  # noqa: E402
+from server.migrate import migrate  # noqa: E402
+from server.regrading import job as regrade  # noqa: E402
+from server.regrading.replay import Lot, replay  # noqa: E402
+from server.sets.rules import Rules  # noqa: E402
+from server.settings import Settings  # noqa: E402
+from server.storage.jobs import Batch  # noqa: E402
+from server.tables import courses, deck, grades, owners, persons, slots, submissions, task_sets, variants  # noqa: E402
+
+EXERCISE, SET, SECRET = "slider_crank", "SSSS-SSSS-SSSS", b"a secret of the benchmark"
+PER_VARIANT = 20
+NOW = datetime(2026, 12, 1, 12, tzinfo=UTC)
+AT_ONCE = 100  # variants that are written together
+UNGRADED = {"verdicts": {}, "score": 0.0, "mistake": None, "counted": True, "provisional": False,
+            "grader_version": "0", "slip": None}  # fmt: skip
+COMPARED = 24  # batches with which one worker is compared with two
+
+
+def lay(url: str, number: int) -> None:
+    """Write a published set with so many submissions."""
+    migrate(url)
+    store = engine(url, connections=1)
+    with store.begin() as connection:
+        connection.execute(insert(courses), {"id": "C", "title": "C", "language": "pl", "time_zone": "UTC",
+                                             "archived": False, "created": NOW})  # fmt: skip
+        rules = Rules().model_dump(mode="json")
+        made = {"id": SET, "course": "C", "title": "S", "rules": rules, "revision": 1, "created": NOW}
+        connection.execute(insert(task_sets), made | {"state": "published", "published": NOW})
+        connection.execute(insert(slots), {"id": "T", "task_set": SET, "number": 1, "pool": [EXERCISE], "points": 1.0,
+                                           "limits": {}})  # fmt: skip
+    for first in range(0, number // PER_VARIANT, AT_ONCE):
+        with store.begin() as connection:
+            for seed in range(first, min(first + AT_ONCE, number // PER_VARIANT)):
+                hand_in(connection, seed)
+    store.dispose()
+
+
+def hand_in(connection: Any, seed: int) -> None:
+    """Write a card of a student, and what that student has handed in to it."""
+    who, variant = f"person {seed:06}", deal(EXERCISE, seed)
+    stored, reference = dump(variant), verifying.record(variant)
+    asked = catalogue.load(EXERCISE).exercise.answers_of(variant.givens)
+    shown = {"pl": {"answers": {name: {"weight": grader.weight} for name, grader in asked.items()}}}
+    connection.execute(insert(owners), {"id": who, "anonymous": False, "created": NOW})
+    connection.execute(insert(persons), {"id": who, "name": who, "role": "student", "active": True, "created": NOW})
+    connection.execute(insert(variants), stored | {"id": who, "owner": who, "created": NOW, "last_used": NOW})
+    card = {"id": who, "slot": "T", "number": seed + 1, "code": str(seed), "shown": shown, "reference": reference,
+            "person": who, "turn": 1, "variant": who, "dealt": NOW}  # fmt: skip
+    connection.execute(insert(deck), stored | card)
+    wrong = [reference["texts"] | {"l3": f"{turn + 1}00,5 mm"} for turn in range(PER_VARIANT // 2)]
+    handed = [
+        {"receipt": f"{seed:06} {turn}", "variant": who, "owner": who, "answers": answers,
+         "time": NOW + timedelta(seconds=turn), "body": "b", "digest": "d", "language": "pl"}
+        for turn, answers in enumerate(wrong + [reference["texts"]] * (PER_VARIANT - len(wrong)))
+    ]  # fmt: skip
+    connection.execute(insert(submissions), handed)
+    first = {"grader_version": "0", "grade": UNGRADED, "counted": True, "time": NOW}
+    connection.execute(insert(grades), [first | {"submission": one["receipt"]} for one in handed])
+
+
+async def regraded(url: str, workers: int) -> tuple[float, dict[str, int]]:
+    """Regrade the set once; gives the seconds and the counts."""
+    database, judging = Database(url), JudgingThread(workers)
+    worker = Engine(Bureau(database.jobs, judging, SECRET, KINDS), "benchmark", workers)
+    await judging.apart(pow, [(2, 2)] * workers)  # the processes are there
+    working = asyncio.create_task(worker.run())
+    found = await database.sets.task_set(SET)
+    assert found is not None
+    start = time.perf_counter()
+    number = await regrade.order(database.jobs, found, "command line", None, dry_run=False)
+    worker.wake()
+    while (job := await database.jobs.job(number)) is None or job.live:
+        await asyncio.sleep(0.05)
+    seconds = time.perf_counter() - start
+    working.cancel()
+    await asyncio.gather(working, return_exceptions=True)
+    judging.close()
+    database.close()
+    assert job.state == "done", job
+    return seconds, dict(job.result)
+
+
+def lots(url: str) -> Iterator[Lot]:
+    """Read some batches, as a regrade does."""
+    store = engine(url, connections=1)
+    with store.connect() as connection:
+        payload = {"task_set": SET, "allow_lower": False}
+        for number, piece in enumerate(regrades.pieces(connection, SET)[:COMPARED], 1):
+            yield regrades.read(connection, Batch("J", "regrade", number, 1, payload, piece))
+    store.dispose()
+
+
+def timed(lot: Lot) -> tuple[int, float]:
+    """Judge a batch; gives how many submissions, and the seconds that a processor has worked for it."""
+    start = time.process_time()
+    return replay(SECRET, lot).counts["judged"], time.process_time() - start
+
+
+def grading(found: list[Lot], workers: int) -> tuple[float, float]:
+    """Judge batches in so many processes, which have been started before; gives submissions a second, by the clock and
+    by the work of one processor."""
+    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        list(pool.map(timed, [found[0]] * workers))
+        start = time.perf_counter()
+        done = list(pool.map(timed, found))
+        judged = sum(number for number, _ in done)
+        return judged / (time.perf_counter() - start), judged / sum(seconds for _, seconds in done)
+
+
+def main() -> None:
+    """Lay the set, regrade it twice, and compare one worker with two."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--submissions", type=int, default=10_000)
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    given = parser.parse_args()
+    with TemporaryDirectory() as folder:
+        url = Settings(Path(folder)).store_url
+        lay(url, given.submissions)
+        for what in ("every grade changes", "no grade changes"):
+            seconds, counts = asyncio.run(regraded(url, given.workers))
+            print(f"{what}: {counts['judged'] / seconds:.0f} submissions/s end to end, {counts}", flush=True)
+        found = list(lots(url))
+        (one, work), (two, _) = (grading(found, workers) for workers in (1, 2))
+        print(f"grading part: {one:.0f}/s with 1 worker, {two:.0f}/s with 2, {two / one:.2f}x")
+        print(f"grading part by the work of one processor: {work:.0f}/s")
+    print(f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} processors at the end")
+    for who, usage in (("server", RUSAGE_SELF), ("largest worker", RUSAGE_CHILDREN)):
+        print(f"memory of the {who}: {getrusage(usage).ru_maxrss / 1000:.0f} MB at most")
+
+
+if __name__ == "__main__":
+    main()
