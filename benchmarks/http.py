@@ -94,7 +94,7 @@ def post(path: str, body: object, cookie: str = "") -> bytes:
 
 async def started(port: int) -> None:
     """Wait for a server."""
-    for _ in range(300):
+    for _ in range(1200):
         try:
             await take(port, SEED)
         except OSError:

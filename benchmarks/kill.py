@@ -31,7 +31,7 @@ from server.run import serve
 from server.settings import from_environment
 serve(replace(from_environment(os.environ), limited=False))
 """
-START = 60.0  # s
+START = 180.0  # s
 CLIENTS = 4
 LONGEST_LIFE = 1.0  # s that a server lives at most before it is killed
 OLD = 20  # receipts of earlier cycles that are looked up again in each cycle
