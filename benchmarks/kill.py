@@ -53,6 +53,7 @@ class Server:
         deadline = time.monotonic() + START
         while not self._ready():
             if self.process.poll() is not None or time.monotonic() > deadline:
+                self.kill()
                 raise SystemExit("the server does not start again")
             time.sleep(0.02)
 

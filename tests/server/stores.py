@@ -143,9 +143,11 @@ def running(durable: bool = False) -> Iterator[OwnPostgres]:
     """Run a PostgreSQL server of our own; a durable one forces every commit to disk."""
     server = OwnPostgres(durable)
     server.start()
-    yield server
-    server.stop()
-    server.remove()
+    try:
+        yield server
+    finally:
+        server.stop()
+        server.remove()
 
 
 def free_port() -> int:
