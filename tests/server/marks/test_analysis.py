@@ -7,7 +7,7 @@ from statistics import fmean
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from server.marks.analysis import LEAST, Try, analysed, common, correlation, fairness, fisher, holm
@@ -23,7 +23,7 @@ def tries(*groups: tuple[str, int, int]) -> list[Try]:
     return found
 
 
-@settings(max_examples=50)
+@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(PAIRS)
 def test_the_correlation_is_that_of_numpy(pairs: list[tuple[float, float]]) -> None:
     one, other = map(list, zip(*pairs, strict=True))
@@ -50,7 +50,7 @@ def test_fisher_gives_the_values_of_worked_tables(table: tuple[int, int, int, in
     assert fisher(*table) == pytest.approx(p, rel=1e-3)
 
 
-@settings(max_examples=25)
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(1, 4), st.integers(1, 4), st.data())
 def test_fisher_is_the_share_of_all_deals_that_are_as_unlikely(students: int, others: int, data: st.DataObject) -> None:
     """Counted out: every order in which the same marks could have been dealt to the two groups."""

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from server.marks.counting import by_submission, earned, entries, left_open, unsettled
@@ -96,7 +96,7 @@ EVENTS = st.lists(
 )
 
 
-@settings(max_examples=60)
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(EVENTS)
 def test_no_regrade_and_no_later_submission_erases_a_mark(events: list[tuple[str, str, float]]) -> None:
     """After any history the last share given to an answer is what it earns, unless the whole was marked after it."""
