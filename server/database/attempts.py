@@ -17,8 +17,7 @@ def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Mar
         NoAttemptLeft: The attempts of the slot are used up.
     """
     variant = marked.handed.variant
-    card = connection.execute(select(deck.c.slot, deck.c.person).where(deck.c.variant == variant).with_for_update())
-    slot, person = card.one()
+    slot, person = _locked(connection, variant)
     stored, replayed = keep_submission(connection, marked)
     if replayed:
         return stored, True
@@ -31,6 +30,14 @@ def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Mar
         values = {"variant": variant, "number": number + 1, "submission": stored.handed.receipt}
         connection.execute(insert(attempts), values)
     return stored, False
+
+
+def _locked(connection: Connection, variant: str) -> tuple[str, str]:
+    """Give the slot and the student of a card, and lock all cards that share its attempts: the replaced ones too."""
+    slot, person = connection.execute(select(deck.c.slot, deck.c.person).where(deck.c.variant == variant)).one()
+    theirs = select(deck.c.id).where(deck.c.slot == slot, deck.c.person == person).order_by(deck.c.id)
+    connection.execute(theirs.with_for_update()).all()
+    return slot, person
 
 
 def ledger(connection: Connection, number: str, person: str | None) -> list[Line]:
