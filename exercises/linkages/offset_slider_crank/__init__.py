@@ -50,7 +50,7 @@ def oracle(givens: Givens) -> Values:
     motion = planar.slider_crank(g.l1, g.l2, g.alpha1, g.omega1, offset=g.h)
     far, near = (_end(g, start) for start in DEAD_POSITIONS)
     return {
-        "margin": min(g.l2 - abs(g.h - g.l1 * sin(radians(angle))) for angle in range(0, 360, 5)),
+        "c": min(g.l2 - abs(g.h - g.l1 * sin(radians(angle))) for angle in range(0, 360, 5)),
         "l3": motion.slider,
         "alpha2": motion.rod_angle,
         "omega2": motion.rod_speed,
@@ -71,10 +71,11 @@ def _end(g: Givens, angle: float) -> float:
 
 EXERCISE = Exercise(
     systems=("VP-3",),
+    version=2,
     givens=Givens,
     draw=draw,
     steps={
-        "margin": "l2 - l1 - h",
+        "c": "l2 - l1 - h",
         "l3": "l1*cos(alpha1) + sqrt(l2^2 - (h - l1*sin(alpha1))^2)",
         "alpha2": "asin((h - l1*sin(alpha1))/l2)",
         "omega2": "-l1*omega1*cos(alpha1)/(l2*cos(alpha2))",
@@ -83,7 +84,7 @@ EXERCISE = Exercise(
     },
     oracle=oracle,
     answers={
-        "turning": Inequality("l1 + h <= l2", step="margin"),
+        "turning": Inequality("l1 + h <= l2", step="c"),
         "position": Equation(
             step="l3",
             span=(-FURTHEST, FURTHEST),
