@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import os
+import subprocess
+import sys
 
 from server.judging import JudgingThread
 
@@ -18,3 +20,24 @@ def test_tasks_are_computed_apart_in_their_order() -> None:
 
     powers, parents = asyncio.run(computed())
     assert powers == [32, 9] and parents == [os.getpid()]
+
+
+PROGRAM = """
+import asyncio, os, sys
+from server.judging import JudgingThread
+if __name__ == "__main__":
+    print(*asyncio.run(JudgingThread(1).apart(os.getpid, [()])), flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_processes_end_with_a_server_that_is_killed() -> None:
+    """Their number is free once the pipe that they have inherited is closed by the last of them."""
+    server = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    assert server.stdout is not None and server.stdin is not None
+    assert int(server.stdout.readline()) != server.pid
+    server.kill()
+    assert server.stdout.read() == b""  # ends when nobody can write any more
+    server.wait()
+    server.stdin.close()
+    server.stdout.close()
