@@ -13,6 +13,7 @@ from pydantic import BaseModel
 from starlette.responses import StreamingResponse
 
 from server.bench import Bench, Tools
+from server.courses import HERE
 from server.errors import Refused
 from server.jobs.kinds import KINDS
 from server.reader import COURSES, admit
@@ -50,14 +51,16 @@ class ShownJob(BaseModel):
     finished: datetime | None
 
 
-@router.get("/jobs/{job}")
+@router.get("/jobs/{job}", responses=HERE)
 async def show_job(job: str, bench: Tools) -> ShownJob:
     """Tell how far a job is."""
     return shown_job(await job_of(bench, job))
 
 
 @router.get(
-    "/jobs/{job}/events", response_class=StreamingResponse, responses={200: {"content": {"text/event-stream": {}}}}
+    "/jobs/{job}/events",
+    response_class=StreamingResponse,
+    responses=HERE | {200: {"content": {"text/event-stream": {}}}},
 )
 async def watch_job(job: str, bench: Tools) -> StreamingResponse:
     """Send the progress of a job as server-sent events, until it has ended.
@@ -68,7 +71,7 @@ async def watch_job(job: str, bench: Tools) -> StreamingResponse:
     return StreamingResponse(_events(bench, found), media_type="text/event-stream")
 
 
-@router.post("/jobs/{job}/cancel")
+@router.post("/jobs/{job}/cancel", responses=HERE)
 async def cancel_job(job: str, bench: Tools) -> ShownJob:
     """End a job. What its batches have written stays where it may stand alone, else it is taken back."""
     await cancelled(bench, job)
@@ -77,7 +80,7 @@ async def cancel_job(job: str, bench: Tools) -> ShownJob:
 
 @router.get(
     "/jobs/{job}/documents/{number}", response_class=Response,
-    responses={200: {"content": {"application/pdf": {}}}},
+    responses=HERE | {200: {"content": {"application/pdf": {}}}},
 )  # fmt: skip
 async def get_document(job: str, number: int, bench: Tools) -> Response:
     """Give a document that a job has made; it is kept for a week."""

@@ -13,7 +13,7 @@ from starlette.testclient import TestClient
 from exercises import catalogue
 from exercises.catalogue import Spoken
 from graders import words as graders_words
-from server import language
+from server import language, variants
 from server.exercises import sample
 from tests.server.test_policy import bearer
 
@@ -68,13 +68,18 @@ class Reader(HTMLParser):
 @pytest.fixture
 def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Every catalogue of words in brackets; what was made of other words before is forgotten, and so is this."""
-    sample.cache_clear()
+    _forget()
     said, judged, spoken = language.words, graders_words.locale, Spoken.__getitem__
     monkeypatch.setattr(language, "words", lambda lang: bracketed(said(lang)))
     monkeypatch.setattr(graders_words, "locale", lambda lang: bracketed(judged(lang)))
     monkeypatch.setattr(Spoken, "__getitem__", lambda self, lang: bracketed(spoken(self, lang)))
     yield
+    _forget()
+
+
+def _forget() -> None:
     sample.cache_clear()
+    variants._presented.cache_clear()
 
 
 def untranslated(page: str, known: set[str]) -> list[str]:
