@@ -29,7 +29,7 @@ COMMANDS = {
     "migrate": "bring the store to the tables of this version",
     "token": "print a bearer token",
     "user": "let somebody in by a one-time link",
-    "export": "write all that is kept of a person, or the marks of a set or course",
+    "export": "write what is kept of a person, or marks",
     "erase": "erase a person; marks stay without a name",
     "backup": "copy the store to a file",
     "restore": "take a copy of a store back",

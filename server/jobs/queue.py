@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
-import socket
+import platform
 
 from procrastinate import App, PsycopgConnector, RetryStrategy
 from procrastinate.exceptions import ConnectorException
@@ -28,7 +28,7 @@ def application(url: str, bureau: Bureau, most: int) -> App:
         bureau: What the worker needs.
         most: Batches at a time.
     """
-    name = f"{socket.gethostname()[:40]} {os.getpid()}"
+    name = f"{platform.node()[:40]} {os.getpid()}"
     address = url.replace("postgresql+psycopg://", "postgresql://", 1)
     app = App(connector=PsycopgConnector(conninfo=address, min_size=1, max_size=most + 2))
 

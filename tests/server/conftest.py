@@ -57,6 +57,12 @@ def client(settings: Settings) -> Iterator[TestClient]:
         yield found
 
 
+@pytest.fixture(scope="module")
+def shared_database_url(postgres: Postgres) -> str:
+    """The address of an empty PostgreSQL database that the tests of a module share."""
+    return postgres.empty()
+
+
 @pytest.fixture
 def database_url(postgres: Postgres) -> str:
     """The address of an empty PostgreSQL database."""

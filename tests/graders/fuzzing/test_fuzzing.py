@@ -17,7 +17,7 @@ KNOWN = (
     "slider_crank", "rrr_matrices", "gear_train", "simple_beam", "stepped_shaft",
 )  # fmt: skip
 POSED = {"equation", "system", "inequality", "symbolic_matrix"}
-LONGEST = 0.5  # s: ten times the promise, for a machine that does other work as well
+LONGEST = 2.0  # s: far above the promise: the measuring of coverage alone triples it
 MOST_MEMORY = 20e6
 MENDED = [
     "25/dJ/",
