@@ -152,14 +152,14 @@ def test_erasing_leaves_the_marks_and_no_word_of_the_person(course: Course) -> N
 
 
 def test_no_table_holds_a_word_of_somebody_erased(course: Course) -> None:
-    browser = newcomer(course, "7004")
+    browser = newcomer(course, "index 7004 zx")
     worked(course, browser)
-    for login in ("7001", "7002", "7004"):
+    for login in ("7001", "7002", "index 7004 zx"):
         person = course.school.portal.call(course.school.bench.people.by_login, login)
         if person is not None:
             course.school.browser("administrator").delete(f"/api/v1/people/{person.id}")
     whole = everything(course)
-    assert SAID not in whole and "Kowalska" not in whole and "7004" not in whole
+    assert SAID not in whole and "Kowalska" not in whole and "index 7004 zx" not in whole
     assert course.school.portal.call(course.school.bench.audit.broken) is None
 
 
