@@ -126,7 +126,7 @@ def test_a_program_and_another_person_get_nothing(course: Course) -> None:
 
 
 def test_erasing_leaves_the_marks_and_no_word_of_the_person(course: Course) -> None:
-    browser = newcomer(course, "7003")
+    browser = newcomer(course, "7003071539026")
     number, receipt = worked(course, browser)
     me = browser.get("/api/v1/me").json()["id"]
     before = course.school.portal.call(course.school.bench.sets.ledger, number)
@@ -148,18 +148,18 @@ def test_erasing_leaves_the_marks_and_no_word_of_the_person(course: Course) -> N
     assert course.lecturer.post(f"{place}/members/{me}/link").json()["error"]["code"] == "closed_account"
     assert course.lecturer.post(f"{place}/links").json() == []
     assert course.lecturer.get(f"/api/v1/submissions/{receipt}").json()["verdicts"]["v3"]["code"] == "empty"
-    assert "7003" not in everything(course)
+    assert "7003071539026" not in everything(course)
 
 
 def test_no_table_holds_a_word_of_somebody_erased(course: Course) -> None:
-    browser = newcomer(course, "index 7004 zx")
+    browser = newcomer(course, "7004071539026")
     worked(course, browser)
-    for login in ("7001", "7002", "index 7004 zx"):
+    for login in ("7001", "7002", "7004071539026"):
         person = course.school.portal.call(course.school.bench.people.by_login, login)
         if person is not None:
             course.school.browser("administrator").delete(f"/api/v1/people/{person.id}")
     whole = everything(course)
-    assert SAID not in whole and "Kowalska" not in whole and "index 7004 zx" not in whole
+    assert SAID not in whole and "Kowalska" not in whole and "7004071539026" not in whole
     assert course.school.portal.call(course.school.bench.audit.broken) is None
 
 
