@@ -123,12 +123,12 @@ class Pair:
         early = self.early() or self._at_summits()
         if early is not None or not self.turns:
             return early or self._smooth()
-        places = self._places(zip(self.turned.rows, self.points, strict=True), None)
-        worst = self._first(place.point for place in places[:WORST] if place.asked)
-        if worst is not None:
-            return worst
-        if self.states.box:
-            places += self._beside()
+        places = list[Place]()
+        for found in self._stages():
+            worst = self._first(place.point for place in found[:WORST] if place.asked)
+            if worst is not None:
+                return worst
+            places += found
         places.sort(key=lambda place: not place.asked)
         return self._settled(places)
 
@@ -171,23 +171,28 @@ class Pair:
             for far, row, point in ordered
         ]
 
-    def _beside(self) -> list[Place]:
-        """Give points on both sides of everything that turns; each one around a touched zero is asked about."""
+    def _stages(self) -> Iterator[list[Place]]:
+        """Give points to ask about, each stage when the one before has shown no difference.
+
+        First those that were drawn, then those on both sides of everything that turns, those where signs go together,
+        and those around touched zeros, each of which is asked about.
+        """
         turned, doubles = self.turned, Runner(self.turned.program, DOUBLES)
+        yield self._places(zip(turned.rows, self.points, strict=True), None)
+        if not self.states.box:
+            return
         search = Search(turned.program, self.states.box, self.points, turned.rows, self.mutual, self.lines)
         found = list(search.beside(turned.turns, turned.ranges))
         crossed = [point for point, touched in found if not touched]
-        touching = [point for point, touched in found if touched]
         rows = looks(doubles, crossed)
+        yield self._places(zip(rows, crossed, strict=True), None)
         groups = together(self.builder, turned.turns, self.program.outputs)
-        if groups:
-            joint = list(search.joint(turned.turns, groups, [*turned.rows, *rows]))
-            crossed, rows = [*crossed, *joint], [*rows, *looks(doubles, joint)]
-        self.searched = self.searched and not search.open
-        places = self._places(zip(rows, crossed, strict=True), None)
+        joint = list(search.joint(turned.turns, groups, [*turned.rows, *rows])) if groups else []
+        yield self._places(zip(looks(doubles, joint), joint, strict=True), None)
+        touching = [point for point, touched in found if touched]
         for number, (row, point) in enumerate(zip(looks(doubles, touching), touching, strict=True)):
-            places += self._places([(row, point)], number)
-        return places
+            yield self._places([(row, point)], number)
+        self.searched = self.searched and not search.open
 
     def _first(self, points: Iterable[Point]) -> Comparison | None:
         """Give the first proved difference."""

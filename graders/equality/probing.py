@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
-from graders.equality.sides import Found, Part, whole
+from graders.equality.sides import Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
@@ -110,22 +110,20 @@ class Search:
             rows: The outputs at all points that are looked at.
         """
         rows = [row for row in rows if any(map(math.isfinite, row[: 1 + self.mutual]))]
-        guarded, tries = any(turn.edge for turn in turns), 0
-        for group in groups:
-            columns = [[row[2 + at] for row in rows] for at in group.turns]
-            sizes = [max(filter(math.isfinite, map(abs, column)), default=0.0) or 1.0 for column in columns]
-            for signs in _unseen(columns):
-                tries += 1
-                if tries > MOST_JOINT:
-                    self.open.append(group.turns[0])
-                    return
-                way = _all_of([-1 / size if sign else 1 / size for size, sign in zip(sizes, signs, strict=True)])
-                part = self._part(tuple([turns[at].slot for at in group.turns]), guarded, way, group.apart)
-                least = min(((part.value(point), point) for point in self.points), key=lambda one: _number(one[0]))
-                found = part.below(least)
-                if group.apart and not found.proved:
-                    self.open.append(group.turns[0])
-                yield from found.points
+        columns = [[row[2 + at] for row in rows] for at in range(len(turns))]
+        guarded = any(turn.edge for turn in turns)
+        for tries, (group, factors) in enumerate(_ways(groups, columns)):
+            if tries == MOST_JOINT:
+                self.open.append(group.turns[0])
+                return
+            slots = tuple([turns[at].slot for at in group.turns])
+            part = self._part(slots, guarded, _all_of(factors), group.apart)
+            found = part.below(
+                min(((part.value(point), point) for point in self.points), key=lambda one: _number(one[0]))
+            )
+            if group.apart and not found.proved:
+                self.open.append(group.turns[0])
+            yield from found.points
 
     def _both_end(self, turns: Sequence[Turn], held: Mapping[int, list[Found]], at: int) -> bool:
         """Tell whether no state lies beyond an edge: the reference (if mutual: both sides) ends there."""
@@ -145,7 +143,6 @@ class Search:
 
     def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
         alone = self.program.only(*slots)
-        inputs = {slot for _, arguments in alone.operations for slot in arguments} | set(alone.outputs)
         guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
         enough = any if self.mutual else all
 
@@ -153,17 +150,48 @@ class Search:
             return not guarded or enough(map(math.isfinite, look(guard, point)))
 
         doubles, intervals = Runner(alone, DOUBLES), Runner(alone, INTERVALS)
-        moving = tuple(at for at in range(len(self.box)) if at in inputs)
+
+        def value(point: Point) -> float:
+            values = look(doubles, point)
+            return values[0] if way is itself else way([(one, one) for one in values])[0]
+
         return Part(
-            lambda point: way([(value, value) for value in look(doubles, point)])[0],
+            value,
             state,
             lambda box: way(intervals.run(box)),
             self.box,
-            moving,
+            ends(self.box),
+            alone.moving,
             1 + len(alone.operations),
             WORK if deep else LESS_WORK,
             deep,
         )
+
+
+def _ways(groups: Sequence[Joint], columns: Sequence[Sequence[float]]) -> Iterator[tuple[Joint, list[float]]]:
+    """Give the unseen ways of the signs of each group as factors that make all of its turns negative.
+
+    Turns that are proportional have one sign: a way that is another one but for these comes once.
+    """
+    done = set[tuple[bool, frozenset[tuple[int, bool]]]]()
+    for group in groups:
+        mine = [columns[at] for at in group.turns]
+        sizes = [max(filter(math.isfinite, map(abs, column)), default=0.0) or 1.0 for column in mine]
+        first = [_first_tied(at, columns) for at in group.turns]
+        for signs in _unseen(mine):
+            way = group.apart, frozenset((at, sign is same) for (at, same), sign in zip(first, signs, strict=True))
+            if way not in done:
+                done.add(way)
+                yield group, [-1 / size if sign else 1 / size for size, sign in zip(sizes, signs, strict=True)]
+
+
+def _first_tied(number: int, columns: Sequence[Sequence[float]]) -> tuple[int, bool]:
+    """Give the first turn that is proportional to one, and whether the two have the same sign."""
+    for other, column in enumerate(columns[:number]):
+        for factor in (1, -1):
+            if _tied(column, [factor * value for value in columns[number]]):
+                return other, factor > 0
+    return number, True
 
 
 def _unseen(columns: Sequence[Sequence[float]]) -> list[tuple[bool, ...]]:

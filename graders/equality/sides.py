@@ -28,6 +28,11 @@ Box: TypeAlias = tuple[Interval, ...]
 Found: TypeAlias = tuple[float, Point]
 
 
+def ends(box: Sequence[Domain]) -> Box:
+    """Give the places next to the ends of all domains; the ends themselves of whole numbers."""
+    return tuple([(near_end(domain, False, END), near_end(domain, True, END)) for domain in box])
+
+
 def whole(box: Sequence[Domain]) -> Box:
     """Give all of a box as intervals of doubles; whole numbers would grow without a bound in powers."""
     return tuple([(float(domain.low), float(domain.high)) for domain in box])
@@ -54,6 +59,7 @@ class Part:
         state: Whether a point is a state.
         bounds: The interval of its values on a box.
         box: The domains of all symbols.
+        ends: The places next to the ends of these, where a search stops.
         moving: Numbers of the symbols that it depends on.
         size: Its number of operations.
         work: Operations on intervals that its branch and bound may take.
@@ -64,6 +70,7 @@ class Part:
     state: Callable[[Point], bool]
     bounds: Callable[[Box], Interval]
     box: tuple[Domain, ...]
+    ends: Box
     moving: tuple[int, ...]
     size: int
     work: int
@@ -105,9 +112,9 @@ class Part:
 
     def _descent(self, best: Found, sign: float, usual: float) -> Found:
         """Go down until the sign changes: from corner to corner first, then by ever smaller steps."""
-        for high in (False, True, False, True):
+        for end in (0, 1, 0, 1):
             for at in self.moving:
-                best = self._better(best, at, near_end(self.box[at], high, END), sign)
+                best = self._better(best, at, self.ends[at][end], sign)
         return self._lowered(best, sign, (WIDE, FINE), CLEAR * usual)
 
     def _lowered(self, best: Found, sign: float, steps: tuple[float, float], clear: float, floor: float = 0.0) -> Found:
@@ -125,21 +132,24 @@ class Part:
             before = best
             for at in self.moving:
                 width = step * (self.box[at].high - self.box[at].low)
-                best = min(self._better(best, at, best[1][at] + way, sign) for way in (-width, width))
+                place = best[1][at]
+                best = min(self._better(best, at, place - width, sign), self._better(best, at, place + width, sign))
             still = still + 1 if best is before else 0
             step /= 2
         return best
 
     def _better(self, best: Found, at: int, place: float, sign: float) -> Found:
         point = self._moved(best[1], at, place)
+        if point[at] == best[1][at]:
+            return best
         found = sign * self.value(point)
         return (found, point) if found < best[0] and self.state(point) else best
 
     def _moved(self, point: Point, at: int, place: float) -> Point:
         """Move one symbol, never quite to the end of its domain."""
-        domain = self.box[at]
-        inside = min(max(place, near_end(domain, False, END)), near_end(domain, True, END))
-        return (*point[:at], float(round(inside)) if domain.integer else inside, *point[at + 1 :])
+        low, high = self.ends[at]
+        inside = low if place < low else high if place > high else place
+        return (*point[:at], float(round(inside)) if self.box[at].integer else inside, *point[at + 1 :])
 
     def _bounded(self, best: Found, sign: float) -> tuple[Found, bool]:
         """Branch and bound: a point of the other side, where one is found, and whether there is proved to be none."""

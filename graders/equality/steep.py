@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import product
 
 from graders.equality.probing import look
 from graders.equality.sides import whole
@@ -35,24 +36,28 @@ def summits(program: Program, box: Sequence[Domain], points: Sequence[Point]) ->
     ]  # fmt: skip
     found = []
     for slot in wide[:MOST]:
-        runner = Runner(program.only(slot), DOUBLES)
-        found += [_summit(runner, box, points, way) for way in (1.0, -1.0)]
+        exponent = program.only(slot)
+        found += [_summit(exponent, box, points, way) for way in (1.0, -1.0)]
     return found
 
 
-def _summit(runner: Runner, box: Sequence[Domain], points: Sequence[Point], way: float) -> Point:
-    """Climb along the symbols from the highest of some points."""
+def _summit(exponent: Program, box: Sequence[Domain], points: Sequence[Point], way: float) -> Point:
+    """Climb along the symbols of an exponent from the highest of some points."""
+    runner, moving = Runner(exponent, DOUBLES), exponent.moving
     height, best = max((_number(way * look(runner, point)[0]), point) for point in points)
     step, still = 0.5, 0
     while step > LEAST_STEP and still < STILL:
         before = height
-        for at, domain in enumerate(box):
-            for width in (-step, step):
-                moved = min(max(best[at] + width * (domain.high - domain.low), domain.low), domain.high)
-                tried = (*best[:at], float(round(moved)) if domain.integer else moved, *best[at + 1 :])
-                value = way * look(runner, tried)[0]
-                if value > height:
-                    height, best = value, tried
+        for at, width in product(moving, (-step, step)):
+            domain = box[at]
+            moved = min(max(best[at] + width * (domain.high - domain.low), domain.low), domain.high)
+            moved = float(round(moved)) if domain.integer else moved
+            if moved == best[at]:
+                continue
+            tried = (*best[:at], moved, *best[at + 1 :])
+            value = way * look(runner, tried)[0]
+            if value > height:
+                height, best = value, tried
         step, still = step / 2, still + 1 if height == before else 0
     return best
 

@@ -39,6 +39,12 @@ class Program:
                 kept.append((name, tuple([moved[argument] for argument in arguments])))
         return Program(self.inputs, self.literals, tuple(kept), tuple([moved[slot] for slot in outputs]))
 
+    @property
+    def moving(self) -> tuple[int, ...]:
+        """Give the numbers of the inputs that an operation or an output stands on."""
+        needed = {slot for _, arguments in self.operations for slot in arguments} | set(self.outputs)
+        return tuple([at for at in range(len(self.inputs)) if at in needed])
+
 
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
