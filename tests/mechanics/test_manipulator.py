@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from mechanics.manipulator import Angles, jacobian, solve
 from mechanics.newton_linkages import manipulator_motion
 from mechanics.planar import Marker
-from tests.mechanics.motions import moves_alike, rates_are_slopes
+from tests.mechanics.motions import moved_apart, off_slopes
 
 values = st.floats(-2, 2)
 
@@ -33,7 +33,7 @@ def test_closed_form_agrees_with_newton(
     word, q, qd, qdd, lengths, delta, absolute = chain
     closed = solve(word, q, lengths, qd, qdd, delta, "absolute" if absolute else "relative")
     newton = manipulator_motion(word, q, qd, qdd, lengths, delta, absolute)
-    moves_alike(closed, "p", newton, Marker(len(word) + 1))
+    assert moved_apart(closed, "p", newton, Marker(len(word) + 1)) == []
 
 
 @pytest.mark.parametrize("angles", ["relative", "absolute"])
@@ -49,7 +49,7 @@ def test_every_word_of_three_has_rates_that_are_slopes_and_the_jacobian_times_th
     def motion(t: float) -> list[float]:
         return [v + a * t for v, a in zip(qd, qdd, strict=True)]
 
-    rates_are_slopes(lambda t: solve(word, at(t), lengths, motion(t), qdd, 0.6, angles))
+    assert off_slopes(lambda t: solve(word, at(t), lengths, motion(t), qdd, 0.6, angles)) == []
     found = solve(word, q, lengths, qd, delta=0.6, angles=angles)
     for row, name in zip(jacobian(word, q, lengths, 0.6, angles), ("p_x", "p_y"), strict=True):
         assert sum(slope * rate for slope, rate in zip(row, qd, strict=True)) == pytest.approx(found.vel[name])

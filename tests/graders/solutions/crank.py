@@ -5,8 +5,6 @@ from __future__ import annotations
 from math import pi
 from typing import Any
 
-import pytest
-
 from graders import AnswerSyntaxError, Code, Domain, Formula, Grader, States, Symbols, Verdict
 from graders.language import parse_line
 from graders.states import drawn
@@ -25,17 +23,27 @@ def verdict(judge: Grader, text: str, reference: Formula, symbols: Symbols) -> V
     return found
 
 
-def passes_its_samples(judge: Grader, reference: Any, symbols: Symbols) -> None:
-    """Hold a judge to its own samples, its echo and its description."""
-    samples = judge.samples(reference)
-    for text in (*samples.right, judge.show(reference)):
-        assert verdict(judge, text, reference, symbols).code is Code.RIGHT, text
-    for text in samples.wrong:
-        assert verdict(judge, text, reference, symbols).code is not Code.RIGHT, text
-    for text in samples.unreadable:
-        with pytest.raises(AnswerSyntaxError):
-            judge.parse(text, symbols)
-    echo = judge.echo(judge.parse(judge.show(reference), symbols))
-    assert echo.mathml.startswith("<math>") and judge.parse(echo.text, symbols)
-    assert judge.apart(reference, reference) == 0
-    assert judge.carried(judge.parse(judge.show(reference), symbols)) is None
+def surprises(judge: Grader, reference: Any, symbols: Symbols) -> list[str]:
+    """Give what a judge says otherwise than it promises of its own samples, its echo and its description."""
+    samples, shown = judge.samples(reference), judge.show(reference)
+    echo = judge.echo(judge.parse(shown, symbols))
+    return [
+        *(f"wrong: {text}" for text in (*samples.right, shown) if not _right(judge, text, reference, symbols)),
+        *(f"right: {text}" for text in samples.wrong if _right(judge, text, reference, symbols)),
+        *(f"readable: {text}" for text in samples.unreadable if _readable(judge, text, symbols)),
+        *([] if echo.mathml.startswith("<math>") and judge.parse(echo.text, symbols) else [f"echo: {echo}"]),
+        *([] if judge.apart(reference, reference) == 0 else [f"apart from itself: {shown}"]),
+        *([] if judge.carried(judge.parse(shown, symbols)) is None else [f"carried: {shown}"]),
+    ]
+
+
+def _right(judge: Grader, text: str, reference: Any, symbols: Symbols) -> bool:
+    return verdict(judge, text, reference, symbols).code is Code.RIGHT
+
+
+def _readable(judge: Grader, text: str, symbols: Symbols) -> bool:
+    try:
+        judge.parse(text, symbols)
+    except AnswerSyntaxError:
+        return False
+    return True
