@@ -83,7 +83,10 @@ class Entry:
 
 @lru_cache(maxsize=1)
 def _shelf() -> dict[str, str]:
-    """Find the folders; the order is that of the chapters, then of the ids."""
+    """Find the folders; the order is that of the chapters, then of the ids.
+
+    A folder whose name begins with an underscore is no exercise: some exercises of the chapter share it.
+    """
     found: dict[str, str] = {}
     for chapter in CHAPTERS:
         for folder in sorted((ROOT / chapter).glob("*/")):

@@ -28,3 +28,16 @@ def test_an_exercise_speaks_three_languages_and_no_other() -> None:
     assert words["pl"] is words["pl"] and words["pl"]["title"] != words["en"]["title"]
     with pytest.raises(KeyError):
         words["../en"]
+
+
+def test_what_exercises_share_is_no_exercise(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(catalogue, "ROOT", tmp_path)
+    for name in ("crane", "_lifting"):
+        (tmp_path / catalogue.CHAPTERS[0] / name).mkdir(parents=True)
+    for name in catalogue.FILES:
+        (tmp_path / catalogue.CHAPTERS[0] / "crane" / name).touch()
+    catalogue._shelf.cache_clear()
+    try:
+        assert catalogue.ids() == ("crane",)
+    finally:
+        catalogue._shelf.cache_clear()

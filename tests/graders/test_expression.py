@@ -29,6 +29,11 @@ def found(a: str, b: str, /, **box: tuple[float, float]) -> Finding:
     return between(parse_line(a), parse_line(b), domains, b"pairs").finding
 
 
+def test_less_than_a_part_in_ten_to_the_thirty_is_no_difference() -> None:
+    assert found("sin(x)", "x", x=(0, 1e-15)) is Finding.EQUAL
+    assert found("sin(x)", "x", x=(0, 1e-14)) is Finding.DIFFERENT
+
+
 @pytest.mark.parametrize(
     ("text", "line", "code"),
     [

@@ -1,4 +1,4 @@
-"""Two ways to check a motion: differences of its neighbours in time, the same mechanism as bodies; what is found off."""
+"""Two ways to check a motion: differences of its neighbours, the same mechanism as bodies; each gives what is off."""
 
 from __future__ import annotations
 

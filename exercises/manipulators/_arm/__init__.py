@@ -1,6 +1,7 @@
 """The planar arm of laboratory TMM-2: three links, its formulas written side by side of the vector polygon.
 
 Angles counter-clockwise from OX, radians inside. The polygon goes A, B, C, D along the arm and back by x_D and y_D.
+The underscore keeps the folder off the shelf.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Denavit-Hartenberg tables written as a student could type them: their numbers, pair matrices and true motion."""
+"""Denavit-Hartenberg tables written as a student could type them: their numbers, pair matrices and true motion.
+
+The underscore keeps the folder off the shelf.
+"""
 
 from __future__ import annotations
 
