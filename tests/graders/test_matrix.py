@@ -8,6 +8,7 @@ import pytest
 
 from graders import AnswerSyntaxError, Code, Matrix, Symbols
 from graders.language import Reason
+from graders.verdict import Entries
 
 NOTHING = Symbols(())
 TABLE = Matrix(2, 2, units=("deg", "mm"))
@@ -63,3 +64,29 @@ def test_a_matrix_with_units_passes_its_own_samples_and_names_its_units() -> Non
     assert Code.RIGHT not in {judged(text) for text in samples.wrong}
     assert TABLE.describe()["units"] == ["deg", "mm"]
     assert TABLE.apart(ROWS, ((pi / 6 + 2 * pi, 0.45), (-pi / 4, 0.0))) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("typed", "code", "score"),
+    [
+        ("[[0,5; -0,25], [0; 1]]", Code.RIGHT, 1),
+        ("[0.5, -0.25; 0, 1]", Code.RIGHT, 1),
+        ("A = [[1/2, -1/4], [0, 1]]", Code.RIGHT, 1),
+        ("[[sin(30°); -0.25], [0; 1]]", Code.RIGHT, 1),
+        ("[[0.5; 0.25], [0; 1]]", Code.SOME_ENTRIES, 0.5),
+        ("[[0.5; 0.25], [3; 1]]", Code.WRONG, 0),
+        ("[[0.5; -0.25]]", Code.WRONG_SHAPE, 0),
+    ],
+)
+def test_a_matrix_is_judged_entry_by_entry(typed: str, code: Code, score: float) -> None:
+    judge = Matrix(2, 2)
+    names = Symbols((), ["A"])
+    verdict = judge.check(judge.parse(typed, names), ((0.5, -0.25), (0.0, 1.0)))
+    assert (verdict.code, verdict.score) == (code, score)
+    assert not isinstance(verdict.details, Entries) or verdict.details.total == 4
+
+
+@pytest.mark.parametrize("typed", ["[[a; 1], [0; 1]]", "[[1/0; 1], [0; 1]]", "3", "[[1e99*100; 0], [0; 1]]"])
+def test_a_matrix_of_anything_but_numbers_is_unreadable(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Matrix(2, 2).parse(typed, Symbols(["a"]))
