@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ import pytest
 
 from exercises.exercise import Submission
 from exercises.grading import grade
+from tests.graders.effort import effort
 from tests.security.conftest import LONGEST, VARIANT
 
 PARSER = import_module("re._parser")  # what the standard library reads a pattern with
@@ -55,6 +55,5 @@ def test_the_check_would_see_such_a_pattern() -> None:
 
 @pytest.mark.parametrize("text", FLOOD, ids=range(len(FLOOD)))
 def test_a_flood_of_one_sign_is_cheap(text: str) -> None:
-    start = time.process_time()
-    grade(Submission(VARIANT, dict.fromkeys(("alpha2", "l3", "omega2", "v3", "omega2_formula"), text)))
-    assert time.process_time() - start < LONGEST
+    flood = Submission(VARIANT, dict.fromkeys(("alpha2", "l3", "omega2", "v3", "omega2_formula"), text))
+    assert effort(lambda: grade(flood), 1) < LONGEST
