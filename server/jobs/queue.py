@@ -6,6 +6,8 @@ import asyncio
 import logging
 import os
 import platform
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 
 from procrastinate import App, PsycopgConnector, RetryStrategy
 from procrastinate.exceptions import ConnectorException
@@ -50,11 +52,24 @@ def application(url: str, bureau: Bureau, most: int) -> App:
 
 async def run(app: App, most: int, *, signals: bool) -> None:
     """Work until told to stop; batches under way may end, or are given back."""
-    async with app.open_async():
+    async with _opened(app):
         await app.run_worker_async(
             queues=[QUEUE], concurrency=most, delete_jobs="always", shutdown_graceful_timeout=GRACE,
             install_signal_handlers=signals, update_heartbeat_interval=HEARTBEAT, stalled_worker_timeout=SILENT,
         )  # fmt: skip
+
+
+@asynccontextmanager
+async def _opened(app: App) -> AsyncIterator[None]:
+    """Open the connections, and close them in any case. Who is stopped while they open lets them open to the end:
+    a pool that is cut off in the middle leaves a task that does not end."""
+    opening = asyncio.ensure_future(app.open_async())
+    try:
+        await asyncio.shield(opening)
+        yield
+    finally:
+        await asyncio.gather(opening, return_exceptions=True)
+        await app.close_async()
 
 
 async def run_on(url: str, bureau: Bureau, most: int) -> None:

@@ -161,3 +161,15 @@ def test_a_worker_that_was_cut_off_past_its_lease_writes_nothing(
     slow.judging.close()
     cut_off.close()
     relay.close()
+
+
+def test_a_worker_that_is_stopped_while_it_starts_leaves_nothing_running(url: str, bureau: Bureau) -> None:
+    async def stopped(moment: float) -> list[str]:
+        before = asyncio.all_tasks()
+        working = asyncio.create_task(queue.run(queue.application(url, bureau, 1), 1, signals=False))
+        await asyncio.sleep(moment)
+        working.cancel()
+        await asyncio.wait([working])
+        return [one.get_name() for one in asyncio.all_tasks() - before]
+
+    assert [asyncio.run(stopped(0.002 * step)) for step in range(12)] == [[]] * 12
