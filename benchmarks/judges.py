@@ -244,7 +244,7 @@ def at_most(seconds: float) -> Iterator[None]:
 
 
 def beside(judge: Callable[[Pair], str], chosen: Sequence[Pair], limit: float) -> Tally:
-    """Let a judge decide some pairs; what takes too long is no verdict."""
+    """Let a judge decide some pairs; what takes too long is no verdict, nor what SymPy raises on its own NaN."""
     tally = Tally()
     for pair in chosen:
         sympy.core.cache.clear_cache()
@@ -253,7 +253,7 @@ def beside(judge: Callable[[Pair], str], chosen: Sequence[Pair], limit: float) -
         try:
             with at_most(limit):
                 found = judge(pair)
-        except TooLong:
+        except (TooLong, ArithmeticError, TypeError, ValueError):
             found = OPEN
         tally.add(pair.place, pair.verdict, found, time.perf_counter() - start)
     return tally

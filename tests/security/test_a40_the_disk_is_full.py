@@ -12,6 +12,11 @@ from starlette.testclient import TestClient
 LONG = "1" + "0" * 20_000
 
 
+@pytest.fixture(scope="session")
+def chosen() -> None:
+    """Takes the embedded store, which can be told how large it may become."""
+
+
 @pytest.fixture
 def pages(client: TestClient) -> Any:
     """Bounds the pages that the store may have, as a full disk does; none lifts the bound."""
