@@ -39,7 +39,7 @@ from server.variants import (
     solved,
     visible,
 )  # fmt: skip
-from server.workspace import laddered, lines
+from server.workspace import laddered, lines, marked
 
 SECTIONS = 13  # of the form of report TMM-2
 
@@ -197,6 +197,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
     laid = await lines(bench, variant, shown.answers, work.typed, result, reader.language)
     if catalogue.load(variant.exercise).exercise.report:
         laid = without_empty(laid)
+    laid = marked(laid, result) if result else laid
     if result and await ladder_is_open(bench, reader, dealt):
         laid = await bench.judging.run(laddered, variant, laid, reader.language)
     held = await results_are_held(bench, reader, dealt)
@@ -215,6 +216,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "mine": may_answer(reader.owner_id, dealt),
         "right": sum(verdict.outcome == "right" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
+        "marks": [one for one in result.by_hand if all(one not in line.marks for line in laid)] if result else [],
         "key": secrets.token_hex(8),
         **(await on_page(bench, dealt.id, datetime.now(UTC)) if dealt.code else {"task": None}),
         "solution": await solution_is_open(bench, reader, dealt),

@@ -55,6 +55,7 @@ def page(
         .render(
             t=partial(languages.say, language),
             n=partial(counted, language),
+            number=partial(decimal, language),
             language=language,
             theme=theme,
             assets=request.app.state.assets,
@@ -80,7 +81,7 @@ def error_page(
     request: Request, language: str, status: int, message: str, number: str, headers: Mapping[str, str] | None
 ) -> Response:
     """Render the page of an error: what happened, what is safe, the number to quote, the way back."""
-    context = {"status": status, "message": message, "number": number, "wait": (headers or {}).get("Retry-After")}
+    context = {"status": status, "message": message, "quote": number, "wait": (headers or {}).get("Retry-After")}
     response = page(request, language, "error.html", context, status=status, path="/")
     response.headers.update(headers or {})
     return response
@@ -89,6 +90,12 @@ def error_page(
 def counted(language: str, number: int, key: str) -> str:
     """Word a number of things: `1 liczba`, `3 liczby`, `5 liczb`."""
     return f"{number} {languages.say(language, f'{key}_{plural(language, number)}')}"
+
+
+def decimal(language: str, value: float) -> str:
+    """Write a number of points as a language does: at most three places."""
+    text = f"{value:.3f}".rstrip("0").rstrip(".")
+    return text if language == "en" else text.replace(".", ",")
 
 
 def plural(language: str, number: int) -> str:

@@ -13,7 +13,7 @@ from graders.language.mathml import symbol_mathml
 from server import forms
 from server.bench import Bench
 from server.receipts import whole
-from server.submissions import Graded, Judged
+from server.submissions import ByHand, Graded, Judged
 from server.variants import Understood, understood
 
 SHORT = ("quantity", "integer", "rational")
@@ -86,6 +86,7 @@ class Line:
     echo: Understood | None
     verdict: Judged | None
     rungs: tuple[str, ...] = ()
+    marks: tuple[ByHand, ...] = ()
 
     @property
     def id(self) -> str:
@@ -123,6 +124,7 @@ class Line:
         parts = ["h"] if self.field.tolerance_text or self.field.unit_text else []
         parts += ["k"] if self.helped else []
         parts += ["v"] if self.verdict else []
+        parts += ["m"] if self.marks else []
         return " ".join(f"{self.id}-{part}" for part in [*parts, "r"])
 
     @property
@@ -170,6 +172,16 @@ def laddered(variant: Variant, laid: Sequence[Line], lang: str) -> list[Line]:
     return [
         replace(line, rungs=presenting.ladder(variant, line.field.name, lang))
         if line.verdict and line.verdict.outcome in ("wrong", "partly")
+        else line
+        for line in laid
+    ]
+
+
+def marked(laid: Sequence[Line], result: Graded) -> list[Line]:
+    """Put what the lecturer says of an answer under its verdict."""
+    return [
+        replace(line, marks=tuple(one for one in result.by_hand if one.answer == line.field.name))
+        if line.verdict
         else line
         for line in laid
     ]

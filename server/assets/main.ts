@@ -10,6 +10,7 @@ import { keepPerson } from "./ts/laboratory/person.ts";
 import { moveInGrid } from "./ts/matrix.ts";
 import { orderList } from "./ts/order.ts";
 import { buildPolygon } from "./ts/polygon.ts";
+import { followProgress } from "./ts/progress.ts";
 import { sketch } from "./ts/sketch.ts";
 import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
@@ -31,6 +32,7 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
 document.querySelectorAll<HTMLElement>("[data-visual]").forEach(offerVisual);
 document.querySelectorAll<HTMLElement>('.keys[hidden]').forEach(showSymbols);
 document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);
+document.querySelectorAll<HTMLElement>("[data-progress]").forEach(followProgress);
 document.querySelectorAll<HTMLFormElement>("form[data-person]").forEach(keepPerson);
 const bench = document.querySelector<HTMLElement>("[data-laboratory]");
 if (bench !== null) void import("./ts/laboratory/panel.ts").then(({ start }) => start(bench)); // no other page needs it

@@ -28,7 +28,7 @@ from server.reader import Asking, Reader, admit
 from server.receipts import whole
 from server.sets import clock
 from server.sets.api import set_of
-from server.templating import page
+from server.templating import decimal, page
 
 MOST_OPEN = 50  # open answers on a page
 
@@ -170,19 +170,11 @@ def _checked(model: Callable[[Any], Any], written: dict[str, Any]) -> Any:
 
 def _common(reader: Reader) -> dict[str, Any]:
     course = here(reader).course
-    number = partial(_number, reader.language)
     return {
         "course": course,
         "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
-        "number": number,
-        "told": partial(_told, reader.language, number),
+        "told": partial(_told, reader.language),
     }
-
-
-def _number(language: str, value: float) -> str:
-    """Write a number of points as a language does: at most three places."""
-    text = f"{value:.3f}".rstrip("0").rstrip(".")
-    return text if language == "en" else text.replace(".", ",")
 
 
 def _rounded(language: str, value: float, *, places: int) -> str:
@@ -194,10 +186,10 @@ def _signed(language: str, value: float) -> str:
     return _rounded(language, value, places=2).replace("-", "−")
 
 
-def _told(language: str, number: Callable[[float], str], name: str, cell: Any) -> str:
+def _told(language: str, name: str, cell: Any) -> str:
     """Tell a cell in words."""
     state = say(language, f"marks.state_{cell.state}")
     return say(
-        language, "marks.cell", name=name, item=cell.slot.number, state=state, points=number(cell.points),
-        all=number(cell.slot.points),
+        language, "marks.cell", name=name, item=cell.slot.number, state=state, points=decimal(language, cell.points),
+        all=decimal(language, cell.slot.points),
     )  # fmt: skip

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import partial
 from typing import Any
@@ -13,7 +13,7 @@ from server.marks.counting import by_submission, entries
 from server.sets import clock
 from server.sets.handing import faulty, rules_of, shown_after, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
-from server.storage.sets import Card, Slot, TaskSet
+from server.storage.sets import Card, Line, Slot, TaskSet
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +25,7 @@ class Task:
         ledger: What was handed in, in the order received.
         share: The share of the points earned so far; none where nothing was judged.
         left: Attempts left; none for as many as one likes.
+        marked: The submissions that the lecturer has marked or commented on.
     """
 
     slot: Slot
@@ -32,6 +33,7 @@ class Task:
     ledger: tuple[Entry, ...]
     share: float | None
     left: int | None
+    marked: tuple[Line, ...] = ()
 
     @property
     def counted(self) -> int:
@@ -86,8 +88,12 @@ async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) 
     rules, found = rules_of(task_set), window_of(task_set, extra, begun)
     shown = shown_after(task_set, found, await bench.sets.most_extra(task_set.id)).stage(now)
     ledger = entries(lines, by_submission(marks), weights, rules)
+    said, both = {mark.submission for mark in marks}, list(zip(ledger, lines, strict=True))
     tasks = tuple(
-        _task(slot, dealt, [one for one, line in zip(ledger, lines, strict=True) if line.slot == slot.id], found, rules)
+        replace(
+            _task(slot, dealt, [one for one, line in both if line.slot == slot.id], found, rules),
+            marked=tuple(line for line in lines if line.slot == slot.id and line.receipt in said),
+        )
         for slot in task_set.slots
     )
     return Standing(task_set, rules, found, found.stage(now), held(rules, shown), tasks)

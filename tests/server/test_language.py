@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import ast
 import re
+from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
+import server
 from exercises.catalogue import CHAPTERS
 from server.language import LANGUAGES, preferred, say, words
 from server.templating import counted, plural
 
 PLACES = re.compile(r"\{(\w*)\}")
+SERVER = Path(server.__file__).parent
+SAID = re.compile(r"""\bt\(\s*"([^"]*)"(\s*~)?""")  # in a template: a key, or what one begins with
+COUNTED = re.compile(r"""\bn\([^"()]*"([^"]*)"\)""")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -20,6 +27,45 @@ def test_every_language_says_the_same_things_about_the_same_values(language: str
     for key in theirs:
         assert ours[key].strip(), key
         assert sorted(PLACES.findall(ours[key])) == sorted(PLACES.findall(theirs[key])), key
+
+
+def test_every_sentence_that_a_template_or_the_server_asks_for_is_there() -> None:
+    asked = [*templates(), *sources()]
+    assert len(asked) > 500 and not [(place, key) for place, key in asked if not known(key)]
+
+
+def templates() -> Iterator[tuple[str, str]]:
+    """The keys in templates; one that is put together ends with a star."""
+    for path in sorted((SERVER / "templates").rglob("*.html")):
+        text = path.read_text("utf-8")
+        yield from ((path.name, key + "*" * bool(more)) for key, more in SAID.findall(text))
+        yield from ((path.name, f"{key}_{form}") for key in COUNTED.findall(text) for form in ("one", "few", "many"))
+
+
+def sources() -> Iterator[tuple[str, str]]:
+    """The keys of `say` and the codes of refusals in the server."""
+    for path in sorted(SERVER.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            called = node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
+            if called in ("say", "Refused") and isinstance(node, ast.Call) and len(node.args) > 1:
+                before = "errors." * (called == "Refused")
+                yield from ((path.name, before + key) for key in literal(node.args[1]))
+
+
+def literal(node: ast.expr) -> Iterator[str]:
+    """The text of an expression; of one that is put together, what it begins with and a star."""
+    if isinstance(node, ast.IfExp):
+        yield from literal(node.body)
+        yield from literal(node.orelse)
+    elif isinstance(node, ast.Constant):
+        yield str(node.value)
+    elif isinstance(node, ast.JoinedStr) and isinstance(node.values[0], ast.Constant):
+        yield f"{node.values[0].value}*"
+
+
+def known(key: str) -> bool:
+    """Whether there is such a sentence, or one that begins so."""
+    return any(one.startswith(key[:-1]) for one in words("en")) if key.endswith("*") else key in words("en")
 
 
 @pytest.mark.parametrize("language", ["pl", "ru"])

@@ -8,8 +8,8 @@ from html import unescape
 import pytest
 
 from server.language import LANGUAGES
-from tests.server.marks.test_api import book, with_open_answer
-from tests.server.sets.conftest import Course
+from tests.server.marks.test_api import book, mark, with_open_answer
+from tests.server.sets.conftest import Course, moment
 
 
 def test_results_show_points_and_settle_an_open_answer_by_a_form(
@@ -50,6 +50,47 @@ def test_a_student_s_work_is_shown_in_the_student_s_language_and_marked_by_a_for
     for share in ("101", "nan", "x"):
         refused = course.lecturer.post(f"/sets/{number}/marks", data=data | {"share": share})
         assert (refused.status_code, refused.json()["error"]["field"]) == (422, "share")
+
+
+def test_a_student_reads_the_marks_and_comments_at_the_answer_and_at_the_result(course: Course) -> None:
+    number = course.published(title="Marked")
+    variant = course.variant(number)
+    old, new = (course.hand_in(variant, {"l3": text}).json()["receipt"]["id"] for text in ("1 mm", "2 mm"))
+    page = course.student.get(f"/variants/{variant}?lang=en").text
+    assert "Your lecturer:" not in page and "What the lecturer says" not in course.student.get(f"/sets/{number}").text
+    for receipt, body in ((old, {"comment": "the old one"}), (new, {"answer": "l3", "share": 0.5, "comment": "<b>"})):
+        mark(course, number, receipt=receipt, **body)
+    mark(course, number, receipt=new, comment="Draw it first.")
+    page = course.student.get(f"/variants/{variant}?lang=en").text
+    result, answers = page.split('id="h-ans"')
+    assert "Draw it first." in result and "With the marks by hand: 10 % of the points." in result
+    assert "50 % of the points. &lt;b&gt;" in answers and "50 %" not in result and "the old one" not in page
+    assert re.search(r'aria-describedby="a2-h a2-v a2-m a2-r"', answers)
+    links = re.findall(r'href="(/variants/[^"]*)">What the lecturer says', course.student.get(f"/sets/{number}").text)
+    assert links == [f"/variants/{variant}?receipt={old}", f"/variants/{variant}"]
+    assert "the old one" in course.student.get(links[0]).text
+    place = f"/api/v1/variants/{variant}/draft"
+    draft = {"revision": course.student.get(place).json()["revision"], "answers": {"l3": "3 mm"}}
+    assert course.student.put(place, json=draft).status_code == 200
+    result, answers = course.student.get(f"/variants/{variant}?lang=en").text.split('id="h-ans"')
+    assert "50 % of the points. &lt;b&gt;" in result and "50 %" not in answers
+
+
+def test_an_examination_keeps_the_marks_of_the_lecturer_back_too(course: Course) -> None:
+    number = course.published(title="Held", rules={"mode": "exam"}, opens=moment(hours=-1))
+    variant = course.variant(number)
+    receipt = course.hand_in(variant, {"l3": "1 mm"}).json()["receipt"]["id"]
+    mark(course, number, receipt=receipt, share=0.5, comment="half of it")
+    pages = [course.student.get(f"{place}?lang=en").text for place in (f"/variants/{variant}", f"/sets/{number}")]
+    assert not [page for page in pages if "half of it" in page or "lecturer" in page.lower()]
+
+
+@pytest.mark.parametrize("language", ["pl", "en"])
+def test_points_are_written_as_the_language_does(course: Course, language: str) -> None:
+    number = course.published(title="Commas", item={"points": 2.5})
+    worth = "2,5" if language == "pl" else "2.5"
+    for path in (f"/sets/{number}", f"/courses/{course.school.course}/sets"):
+        assert worth in course.student.get(f"{path}?lang={language}").text
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
