@@ -18,6 +18,8 @@ from graders.remarks import Remarks
 from graders.units import read_unit
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
+ROUNDING = 1e-12  # of the largest ordinate: what is smaller comes from adding up loads
+
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
@@ -105,9 +107,10 @@ class Diagram:
         return "\n".join(self._lines(profile_of(reference)))
 
     def _lines(self, profile: Sequence[Stretch]) -> list[str]:
-        place, factor = read_unit(self.x_unit).factor, read_unit(self.unit).factor
+        place, factor, least = read_unit(self.x_unit).factor, read_unit(self.unit).factor, ROUNDING * highest(profile)
         return [
-            f"{one.start / place:.8g} .. {one.end / place:.8g}: {_typed(one, self.x, place, factor)}" for one in profile
+            f"{one.start / place:.8g} .. {one.end / place:.8g}: {_typed(one, self.x, place, factor, least)}"
+            for one in profile
         ]
 
     def samples(self, reference: Rows) -> Samples:
@@ -166,13 +169,12 @@ def _scaled(profile: Profile, factor: float) -> Profile:
     return tuple(one.scaled(factor) for one in profile)
 
 
-def _typed(one: Stretch, x: str, place: float, factor: float) -> str:
-    """Write a stretch by powers of the distance from its start."""
+def _typed(one: Stretch, x: str, place: float, factor: float, least: float) -> str:
+    """Write a stretch by powers of the distance from its start, without what is never greater than the least."""
     start = one.start / place
     distance = f"({x} - {start:.8g})" if start > 0 else f"({x} + {-start:.8g})" if start < 0 else x
-    terms = [(c * place**power / factor, power) for power, c in enumerate(one.curve)]
-    largest = max(abs(c) for c, _ in terms)
-    kept = [(c, power) for c, power in terms if abs(c) > 1e-13 * largest] or [(0.0, 0)]
+    seen = [(c, power) for power, c in enumerate(one.curve) if abs(c) * (one.end - one.start) ** power > least]
+    kept = [(c * place**power / factor, power) for c, power in seen] or [(0.0, 0)]
     text = " + ".join(f"{c:.10g}" + _power(distance, power) for c, power in kept)
     return text.replace("+ -", "- ")
 

@@ -211,6 +211,12 @@ def test_a_diagram_is_echoed_piece_by_piece_and_described() -> None:
     assert tolerance(MOMENT.describe(), "pl") == "±1 % największej wartości"
 
 
+def test_what_is_left_over_from_adding_up_loads_is_not_written() -> None:
+    rows = ((0, 2, 7500.0, 0.0), (2, 3, -1.8e-12, 9.1e-13))
+    assert SHEAR.show(rows) == "0 .. 2: 7.5\n2 .. 3: 0"
+    assert SHEAR.show(((0, 2, 7500.0, 0.0), (2, 3, 0.0, 0.001))) == "0 .. 2: 7.5\n2 .. 3: 1e-06*(x - 2)"
+
+
 def echo_inner(text: str) -> str:
     whole = MOMENT.echo(MOMENT.parse(text, NOTHING)).mathml
     return whole.removeprefix("<math>").removesuffix("</math>")
