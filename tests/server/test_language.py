@@ -60,7 +60,7 @@ def literal(node: ast.expr) -> Iterator[str]:
     elif isinstance(node, ast.Constant):
         yield str(node.value)
     elif isinstance(node, ast.JoinedStr) and isinstance(node.values[0], ast.Constant):
-        yield f"{node.values[0].value}*"
+        yield str(node.values[0].value) + "*"
 
 
 def known(key: str) -> bool:
