@@ -17,7 +17,7 @@ from server.errors import Refused
 from server.language import say
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
-from server.sets import clock
+from server.sets import building, clock
 from server.templating import page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
@@ -114,11 +114,12 @@ def _back(course: str) -> Response:
 
 async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str, Any]) -> HTMLResponse:
     here = courses.here(reader)
-    staff = here.role >= CourseRole.ASSISTANT
+    staff, lecturer = here.role >= CourseRole.ASSISTANT, here.role is CourseRole.LECTURER
     context = {
         "course": here.course,
         "staff": staff,
-        "lecturer": here.role is CourseRole.LECTURER,
+        "lecturer": lecturer,
+        "seen_deadlines": building.deadlines(await bench.sets.of(here.course.id)) if lecturer else None,
         "members": await bench.courses.members(here.course.id) if staff else [],
         "groups": await bench.courses.groups(here.course.id) if staff else [],
         "roles": ROLES,

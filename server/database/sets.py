@@ -9,12 +9,12 @@ from functools import partial
 from sqlalchemy import Connection, Select, delete, exists, func, insert, select, update
 
 from server.database import attempts, deck
-from server.database.audit import noting
+from server.database.audit import note, noting
 from server.database.connections import Connections
 from server.sets.rules import Rules, Stage, window
 from server.storage import Marked
 from server.storage.audit import Entry
-from server.storage.sets import DRAFT, PUBLISHED, Card, Line, NotADraft, Place, Slot, TaskSet, Waiting
+from server.storage.sets import DRAFT, PUBLISHED, Card, DeadlinesMoved, Line, NotADraft, Place, Slot, TaskSet, Waiting
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
 
@@ -111,12 +111,9 @@ class Sets:
         rows = await self._connections.read(lambda connection: connection.execute(query).all())
         return {row.person: (row.minutes, row.reason) for row in rows}
 
-    async def move(
-        self, number: str, due: datetime | None, closes: datetime | None, entry: Entry | None = None
-    ) -> None:
-        """Move the deadlines of a set."""
-        moved = update(task_sets).where(task_sets.c.id == number).values(due=due, closes=closes)
-        await self._connections.write(noting(lambda connection: connection.execute(moved).rowcount, entry))
+    async def move(self, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry] = ()) -> None:
+        """Move the deadlines of sets from those that were seen to others, all together."""
+        await self._connections.write(lambda connection: _move(connection, moves, entries))
 
     async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
         """Store a submission to a set, and its attempt, together."""
@@ -164,6 +161,16 @@ def _change(connection: Connection, new: TaskSet, revision: int) -> None:
         raise NotADraft(new.id)
     connection.execute(delete(slots).where(slots.c.task_set == new.id))
     _add_slots(connection, new)
+
+
+def _move(connection: Connection, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry]) -> None:
+    for old, new in moves:
+        seen = task_sets.c.due.is_not_distinct_from(old.due), task_sets.c.closes.is_not_distinct_from(old.closes)
+        moved = update(task_sets).where(task_sets.c.id == old.id, *seen).values(due=new.due, closes=new.closes)
+        if connection.execute(moved).rowcount != 1:
+            raise DeadlinesMoved(old.id)
+    for entry in entries:
+        note(connection, entry)
 
 
 def _publish(connection: Connection, number: str, revision: int, dealt: Sequence[Card], now: datetime) -> None:

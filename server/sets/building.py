@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from hashlib import sha256
 from math import isfinite
 from typing import Annotated, Any
 from zoneinfo import ZoneInfo
@@ -20,7 +21,7 @@ from server.sets.clock import NoSuchMoment, read, shifted, zone
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
 from server.storage.courses import Course
-from server.storage.sets import DRAFT, PUBLISHED, NotADraft, Slot, TaskSet
+from server.storage.sets import DRAFT, PUBLISHED, DeadlinesMoved, NotADraft, Slot, TaskSet
 from server.typed import Typed
 
 MOST_SLOTS = 50
@@ -168,19 +169,38 @@ async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor
     return new
 
 
-async def extend(bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str) -> list[TaskSet]:
-    """Move the deadlines of published sets of which one is still ahead; gives the sets that moved."""
-    moved = []
-    for task_set in sets:
-        found = window(task_set.opens, task_set.due, task_set.closes, Rules.model_validate(task_set.rules))
-        ahead = any(moment is not None and now <= moment for moment in (found.due, found.closes))
-        if task_set.state != PUBLISHED or not ahead:
-            continue
-        due, closes = _later(task_set.due, minutes), _later(task_set.closes, minutes)
-        entry = Entry(actor, Action.DEADLINES_MOVED, task_set.id, task_set.course, {"minutes": minutes})
-        await bench.sets.move(task_set.id, due, closes, entry)
-        moved.append(replace(task_set, due=due, closes=closes))
-    return moved
+async def extend(
+    bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str, seen: str | None = None
+) -> list[TaskSet]:
+    """Move the deadlines of published sets of which one is still ahead; gives the sets that moved.
+
+    Raises:
+        Refused: 409, the deadlines are not those that were `seen`, or were moved at the same moment.
+    """
+    if seen is not None and seen != deadlines(sets):
+        raise Refused(409, "deadlines_moved")
+    moves = [
+        (one, replace(one, due=_later(one.due, minutes), closes=_later(one.closes, minutes)))
+        for one in sets
+        if one.state == PUBLISHED and _ahead(one, now)
+    ]
+    told = {"minutes": minutes}
+    try:
+        await bench.sets.move(moves, [Entry(actor, Action.DEADLINES_MOVED, o.id, o.course, told) for o, _ in moves])
+    except DeadlinesMoved:
+        raise Refused(409, "deadlines_moved") from None
+    return [new for _, new in moves]
+
+
+def deadlines(sets: Sequence[TaskSet]) -> str:
+    """Give a digest of the deadlines of published sets, by which a form knows whether they have moved."""
+    told = sorted(f"{one.id} {one.due} {one.closes}" for one in sets if one.state == PUBLISHED)
+    return sha256("\n".join(told).encode()).hexdigest()
+
+
+def _ahead(task_set: TaskSet, now: datetime) -> bool:
+    found = window(task_set.opens, task_set.due, task_set.closes, Rules.model_validate(task_set.rules))
+    return any(moment is not None and now <= moment for moment in (found.due, found.closes))
 
 
 def _later(moment: datetime | None, minutes: int) -> datetime | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from functools import partial
 from typing import Annotated, Any
@@ -100,18 +100,23 @@ async def open_item(task_set: str, number: Number, request: Request, bench: Tool
 @router.post("/sets/{task_set}/extend")
 async def extend_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Move the open deadlines of a set."""
-    minutes = _whole((await forms.read(request)).values.get("minutes", ""), "minutes", 1, 100_000)
-    found = await set_of(bench, reader, task_set)
-    await building.extend(bench, [found], minutes, datetime.now(UTC), actor_of(reader))
+    await _extended(request, bench, reader, [await set_of(bench, reader, task_set)])
     return RedirectResponse(f"/sets/{task_set}", 303)
 
 
 @router.post("/courses/{course}/extend")
 async def extend_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Move all open deadlines of a course and tell how many were moved."""
-    minutes = _whole((await forms.read(request)).values.get("minutes", ""), "minutes", 1, 100_000)
-    moved = await building.extend(bench, await bench.sets.of(course), minutes, datetime.now(UTC), actor_of(reader))
+    moved = await _extended(request, bench, reader, await bench.sets.of(course))
     return RedirectResponse(f"/courses/{course}?moved={len(moved)}", 303)
+
+
+async def _extended(request: Request, bench: Bench, reader: Reader, sets: Sequence[TaskSet]) -> list[TaskSet]:
+    """Move deadlines as a form wishes, from those that it was made for: a second click moves nothing."""
+    values = (await forms.read(request)).values
+    minutes = _whole(values.get("minutes", ""), "minutes", 1, 100_000)
+    seen = values.get("seen", "")
+    return await building.extend(bench, sets, minutes, datetime.now(UTC), actor_of(reader), seen)
 
 
 @router.post("/courses/{course}/copy")
@@ -166,6 +171,7 @@ async def _builder(
         "task_set": found,
         "written": written(found, place),
         "lecturer": here(reader).role is CourseRole.LECTURER,
+        "seen_deadlines": building.deadlines([found]),
         "job": await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None,
         "students": len(await bench.sets.students(found.course)),
         "slot": slot,

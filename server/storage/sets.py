@@ -120,6 +120,10 @@ class NotADraft(RuntimeError):
     """The set is published, or somebody else has changed the draft meanwhile."""
 
 
+class DeadlinesMoved(RuntimeError):
+    """Somebody else has moved the deadlines of this set meanwhile."""
+
+
 class NoAttemptLeft(RuntimeError):
     """The attempts of this variant are used up."""
 
@@ -221,10 +225,12 @@ class Sets(Protocol):
         """Give minutes and reason by student."""
         ...
 
-    async def move(
-        self, number: str, due: datetime | None, closes: datetime | None, entry: Entry | None = None
-    ) -> None:
-        """Move the deadlines of a set."""
+    async def move(self, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry] = ()) -> None:
+        """Move the deadlines of sets from those that were seen to others, all together.
+
+        Raises:
+            DeadlinesMoved: Those of one are not as they were seen; nothing was stored.
+        """
         ...
 
     async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:

@@ -72,7 +72,7 @@ def test_late_work_and_extra_time_are_counted_for_each_student(course: Course) -
     course.school.portal.call(
         course.school.bench.sets.accommodate, number, course.school.people["other"], 120, "illness"
     )
-    course.school.portal.call(course.school.bench.sets.move, number, _ago(hours=1), _ago(hours=-99))
+    course.date(number, _ago(hours=1), _ago(hours=-99))
     for name, who in (("student", course.student), ("other", course.other)):
         answers = reference(handing.variant_of(course.card(number, name)))
         assert course.hand_in(course.variant(number, who), answers, who=who).status_code == 201

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
 from typing import Any
@@ -85,7 +85,14 @@ class Course:
 
     def move(self, number: str, **ago: float) -> None:
         """Let a set have been due some time ago."""
-        self.school.portal.call(self.school.bench.sets.move, number, datetime.now(UTC) - timedelta(**ago), None)
+        self.date(number, datetime.now(UTC) - timedelta(**ago), None)
+
+    def date(self, number: str, due: datetime | None, closes: datetime | None) -> None:
+        """Give a set other deadlines."""
+        call, sets = self.school.portal.call, self.school.bench.sets
+        old = call(sets.task_set, number)
+        assert old is not None
+        call(sets.move, [(old, replace(old, due=due, closes=closes))])
 
 
 def moment(**ahead: float) -> str:

@@ -183,7 +183,7 @@ def test_an_exercise_is_reserved_as_long_as_anybody_may_hand_in(course: Course) 
     late = course.published(item={"exercise": FREE}, rules={"late": "reduced"})
     course.move(late, minutes=1)
     assert code_of(course.student.post(seeded, json={"seed": 7})) == (403, "reserved")
-    course.school.portal.call(course.school.bench.sets.move, late, None, datetime.now(UTC))
+    course.date(late, None, datetime.now(UTC))
     assert course.student.post(seeded, json={"seed": 7}).status_code == 201
     slow = course.published(item={"exercise": FREE})
     course.move(slow, minutes=1)

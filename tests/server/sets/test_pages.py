@@ -70,13 +70,23 @@ def test_all_open_deadlines_of_a_course_move_together(course: Course) -> None:
     closed = course.published()
     course.move(closed, hours=3)
     before = {number: due(course, number) for number in (one, other, closed)}
-    reply = course.lecturer.post(f"{page}/extend", data={"minutes": " 15 "})
+    form = {"minutes": " 15 ", "seen": seen(course, page)}
+    reply = course.lecturer.post(f"{page}/extend", data=form)
     moved = int(reply.headers["location"].removeprefix(f"{page}?moved="))
     assert f"Sets moved: {moved}." in course.lecturer.get(reply.headers["location"] + "&lang=en").text and moved >= 2
     assert due(course, one) - before[one] == due(course, other) - before[other] == timedelta(minutes=15)
     assert due(course, closed) == before[closed]
+    again = course.lecturer.post(f"{page}/extend", data=form)  # a second click
+    assert (again.status_code, again.json()["error"]["code"]) == (409, "deadlines_moved")
+    assert due(course, one) - before[one] == timedelta(minutes=15)
     for minutes in ("0", "-5", "x", "", "1e3", "1000000"):
         assert course.lecturer.post(f"{page}/extend", data={"minutes": minutes}).status_code == 422
+
+
+def seen(course: Course, page: str) -> str:
+    """What the form that moves deadlines says of those it was made for."""
+    (found,) = re.findall(r'name="seen" value="(\w+)"', course.lecturer.get(page).text)
+    return str(found)
 
 
 def due(course: Course, number: str) -> datetime:
@@ -144,7 +154,8 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
 def test_deadlines_move_and_sets_are_copied_from_the_page(course: Course) -> None:
     number = course.published()
     before = course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"]
-    assert course.lecturer.post(f"/sets/{number}/extend", data={"minutes": "15"}).status_code == 303
+    form = {"minutes": "15", "seen": seen(course, f"/sets/{number}")}
+    assert [course.lecturer.post(f"/sets/{number}/extend", data=form).status_code for _ in range(2)] == [303, 409]
     assert course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"] > before
     assert course.lecturer.post(f"/sets/{number}/extend", data={"minutes": "x"}).status_code == 422
     copied = course.lecturer.post(f"/sets/{number}/copy").headers["location"]

@@ -15,7 +15,7 @@ from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.marks import Mark, Progress
-from server.storage.sets import Card, NoAttemptLeft, NotADraft, Slot, TaskSet
+from server.storage.sets import Card, DeadlinesMoved, NoAttemptLeft, NotADraft, Slot, TaskSet
 from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, slot
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
@@ -202,8 +202,19 @@ def test_an_exercise_is_reserved_until_the_set_is_over(school: School) -> None:
     task_set = school.published()
     assert asyncio.run(sets.reserved("slider_crank", NOW))
     assert not asyncio.run(sets.reserved("planetary", NOW)) and not asyncio.run(sets.reserved("slider_crank", after))
-    asyncio.run(sets.move(task_set.id, after, None))
+    asyncio.run(sets.move([(task_set, replace(task_set, due=after, closes=None))]))
     assert asyncio.run(sets.reserved("slider_crank", after))
+
+
+def test_deadlines_move_together_and_from_those_that_were_seen(school: School) -> None:
+    one, other = school.published(due=NOW), school.published(due=None)
+    moves = [(old, replace(old, due=NOW + timedelta(hours=1))) for old in (one, other)]
+    asyncio.run(school.one.sets.move(moves[:1]))
+    for again in (moves, moves[::-1]):
+        with pytest.raises(DeadlinesMoved):
+            asyncio.run(school.two.sets.move(again))
+    found = [asyncio.run(school.one.sets.task_set(old.id)) for old in (one, other)]
+    assert [one.due for one in found if one] == [NOW + timedelta(hours=1), None]
 
 
 def test_drafts_of_an_examination_that_were_not_handed_in_wait(school: School) -> None:
