@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Select, func, insert, or_, select
+from sqlalchemy import Connection, Select, case, func, insert, or_, select
 
 from server.database.audit import noting
 from server.database.connections import Connections
@@ -96,18 +96,16 @@ def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any
 def _lines(connection: Connection, task_set: str, person: str | None) -> list[Line]:
     """Read the score of each submission, and the whole grade where some answer is marked or may be left open: what did
     not count may be all undecided or our fault."""
-    graded = _graded(select(submissions.c.receipt, grades.c.grade), task_set, person)
     marked = submissions.c.receipt.in_(select(marks.c.submission).where(marks.c.answer.is_not(None)))
     needed = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean(), marked)
-    whole = {receipt: grade for receipt, grade in connection.execute(graded.where(needed))}
     light = select(
         deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-        grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
+        case((needed, grades.c.grade)), grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
     )  # fmt: skip
     query = _graded(light, task_set, person).outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
     found = [
-        Line(slot, who, variant, receipt, at, whole.get(receipt) or {"score": score, "verdicts": {}}, counted, attempt)
-        for slot, who, variant, receipt, at, score, counted, attempt in connection.execute(query)
+        Line(slot, who, variant, receipt, at, whole or {"score": score, "verdicts": {}}, counted, attempt)
+        for slot, who, variant, receipt, at, whole, score, counted, attempt in connection.execute(query)
     ]
     return sorted(
         found, key=lambda line: (line.time, line.receipt)
