@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from datetime import datetime
 from functools import partial
 
-from sqlalchemy import Connection, Select, case, delete, exists, insert, or_, select, update
+from sqlalchemy import Connection, Select, case, delete, exists, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
 from server.database.audit import noting
@@ -15,8 +15,8 @@ from server.database.once import insert_once
 from server.database.people import person_of
 from server.database.rosters import add_member, apply_roster, plan
 from server.storage.audit import Entry
-from server.storage.courses import Change, Course, Group, Member, Row
-from server.tables import courses, groups, memberships, persons
+from server.storage.courses import LEFT, Change, Course, Group, Member, Row
+from server.tables import courses, deck, groups, memberships, persons, slots, submissions, task_sets
 
 STAFF = ("assistant", "lecturer")
 
@@ -77,6 +77,10 @@ class Courses:
     async def members(self, course: str) -> Sequence[Member]:
         """List the members of a course by role and name."""
         return await self._connections.read(lambda connection: _members(connection, course))
+
+    async def left(self, course: str) -> Sequence[Member]:
+        """List who has handed in to a set of a course and is no student of it any more."""
+        return await self._connections.read(lambda connection: _left(connection, course))
 
     async def join(self, course: str, person: str, role: str, now: datetime) -> bool:
         """Make a person a member; False where that is so already."""
@@ -151,6 +155,16 @@ def _members(connection: Connection, course: str) -> list[Member]:
     rows = connection.execute(query.order_by(order, persons.c.name, persons.c.id)).mappings().all()
     own = memberships.c
     return [Member(person_of(row), row[own.role], row[own.group], row[own.joined], row[own.claimed]) for row in rows]
+
+
+def _left(connection: Connection, course: str) -> list[Member]:
+    here = select(memberships.c.person).where(memberships.c.course == course, memberships.c.role == "student")
+    first = func.min(submissions.c.time).label("first")
+    handed = select(persons, first).join(deck, deck.c.person == persons.c.id).join(slots).join(task_sets)
+    handed = handed.join(submissions, submissions.c.variant == deck.c.variant).group_by(persons.c.id)
+    gone = task_sets.c.course == course, persons.c.id.not_in(here)
+    rows = connection.execute(handed.where(*gone).order_by(persons.c.name, persons.c.id)).mappings().all()
+    return [Member(person_of(row), LEFT, None, row["first"]) for row in rows]
 
 
 def _change(connection: Connection, course: str, person: str, role: str, group: str | None) -> bool:

@@ -104,7 +104,7 @@ def _head(language: str) -> tuple[str, ...]:
 
 
 def _tail(language: str, *, share: bool) -> tuple[str, ...]:
-    own = ("points", "worth", *(["share"] if share else []), "late", "provisional", "by_hand")
+    own = ("points", "worth", *(["share"] if share else []), "late", "provisional", "by_hand", "left")
     return tuple(say(language, f"marks.export_{name}") for name in own)
 
 
@@ -119,5 +119,5 @@ def _points(cell: Cell) -> Value:
 
 def _flags(language: str, rows: Sequence[Row]) -> tuple[str, ...]:
     cells = [cell for row in rows for cell in row.cells]
-    told = any(c.late for c in cells), any(c.provisional for c in cells), any(c.by_hand for c in cells)
+    told = any(c.late for c in cells), any(c.provisional for c in cells), any(c.by_hand for c in cells), rows[0].left
     return tuple(say(language, "audit.value_true" if one else "audit.value_false") for one in told)

@@ -12,7 +12,7 @@ from graders import Code
 from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
 from server.sets.handing import rules_of
 from server.sets.rules import Rules, Window, combined, kept, reached, window
-from server.storage.courses import Courses, Member
+from server.storage.courses import LEFT, Courses, Member
 from server.storage.marks import DealtCard, Marks
 from server.storage.sets import Line, Sets, Slot, TaskSet
 
@@ -105,6 +105,16 @@ class Row:
         """Whether anything was judged."""
         return any(cell.share is not None for cell in self.cells)
 
+    @property
+    def handed(self) -> bool:
+        """Whether anything was handed in."""
+        return any(cell.handed for cell in self.cells)
+
+    @property
+    def left(self) -> bool:
+        """Whether this is a student of the course no more."""
+        return self.member.role == LEFT
+
 
 @dataclass(frozen=True, slots=True)
 class Gradebook:
@@ -133,8 +143,9 @@ class Material:
 
 
 async def gradebook(store: Store, task_set: TaskSet) -> Gradebook:
-    """Compute the gradebook of a set."""
-    return await _of(store, task_set, await students(store, task_set.course))
+    """Compute the gradebook of a set; of those who are students no more, it lists who handed in to it."""
+    found = await _of(store, task_set, await students(store, task_set.course))
+    return replace(found, rows=tuple(row for row in found.rows if row.handed or not row.left))
 
 
 async def of_course(store: Store, course: str) -> list[Gradebook]:
@@ -145,9 +156,13 @@ async def of_course(store: Store, course: str) -> list[Gradebook]:
 
 
 async def students(store: Store, course: str) -> list[tuple[Member, str]]:
-    """List the students of a course with the names of their groups, by group and name; without one, last."""
+    """List the students of a course with the names of their groups, by group and name; without one, last.
+
+    Who has handed in and then left, or now teaches, is among them: the work is there, and so are its points.
+    """
     names = {group.id: group.name for group in await store.courses.groups(course)}
     found = [one for one in await store.courses.members(course) if one.role == "student"]
+    found += await store.courses.left(course)
     named = [(one, names.get(one.group or "", "")) for one in found]
     return sorted(named, key=lambda one: (not one[1], one[1].casefold(), one[0].person.name.casefold()))
 

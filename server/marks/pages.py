@@ -140,13 +140,14 @@ async def settle(task_set: str, request: Request, bench: Tools, reader: Asking) 
 
 
 def summary(found: Gradebook) -> Summary:
-    """Sum a class up."""
-    begun = [row for row in found.rows if row.begun is not None]
-    points = [row.points for row in found.rows if row.taken]
+    """Sum a class up, without those who are in it no more."""
+    rows = [row for row in found.rows if not row.left]
+    begun = [row for row in rows if row.begun is not None]
+    points = [row.points for row in rows if row.taken]
     enough = len(points) > 1
     low, middle, high = statistics.quantiles(points, n=4, method="inclusive") if enough else (0.0, 0.0, 0.0)
-    handed_in = sum(any(cell.handed for cell in row.cells) for row in found.rows)
-    return Summary(len(found.rows), len(begun), handed_in, middle if enough else None, (low, high) if enough else None)
+    handed_in = sum(row.handed for row in rows)
+    return Summary(len(rows), len(begun), handed_in, middle if enough else None, (low, high) if enough else None)
 
 
 def _share(text: str) -> float | str | None:

@@ -16,12 +16,13 @@ from server.submissions import Judged, judged
 
 
 class ShownStudent(BaseModel):
-    """A student, with the name of the group."""
+    """A student, with the name of the group; `left` is one who handed in and is no student of the course any more."""
 
     id: str
     login: str | None
     name: str
     group: str
+    left: bool
 
 
 class ShownCell(BaseModel):
@@ -251,7 +252,7 @@ def set_progress(found: list[Progress], students: int, tasks: int) -> SetProgres
 
 def _student(row: Row) -> ShownStudent:
     person = row.member.person
-    return ShownStudent(id=person.id, login=person.login, name=person.name, group=row.group)
+    return ShownStudent(id=person.id, login=person.login, name=person.name, group=row.group, left=row.left)
 
 
 def _row(row: Row) -> ShownRow:

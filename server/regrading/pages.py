@@ -32,7 +32,7 @@ async def show_regrade(
     found = await set_of(bench, reader, task_set)
     last = await bench.jobs.latest(regrade.NAME, found.id)
     changes, more = await changes_of(bench, last, after) if last and not last.live else ([], None)
-    members = await bench.courses.members(found.course)
+    people = [*await bench.courses.members(found.course), *await bench.courses.left(found.course)]
     context = {
         "task_set": found,
         "course": here(reader).course,
@@ -40,7 +40,7 @@ async def show_regrade(
         "job": last,
         "changes": changes,
         "more": more,
-        "names": {member.person.id: member.person.name for member in members},
+        "names": {member.person.id: member.person.name for member in people},
     }
     return page(request, reader.language, "regrade.html", context)
 

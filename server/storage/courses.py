@@ -10,6 +10,8 @@ from typing import Protocol
 from server.storage.audit import Entry
 from server.storage.people import Person
 
+LEFT = "left"
+
 
 @dataclass(frozen=True, slots=True)
 class Course:
@@ -40,7 +42,11 @@ class Group:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A person in a course: student, assistant or lecturer; `claimed` when by code from the roster."""
+    """A person in a course: student, assistant or lecturer; `claimed` when by code from the roster.
+
+    One who has handed in and then left, or now teaches, is no student; where such people are listed as students, their
+    role is `LEFT`, and they joined when they handed in first.
+    """
 
     person: Person
     role: str
@@ -104,6 +110,10 @@ class Courses(Protocol):
 
     async def members(self, course: str) -> Sequence[Member]:
         """List the members of a course by role and name."""
+        ...
+
+    async def left(self, course: str) -> Sequence[Member]:
+        """List who has handed in to a set of a course and is no student of it any more."""
         ...
 
     async def join(self, course: str, person: str, role: str, now: datetime) -> bool:

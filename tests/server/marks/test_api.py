@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
@@ -62,6 +63,38 @@ def test_rows_are_students_by_group_and_name_and_show_what_the_student_is_told(c
     course.lecturer.patch(path, json=group)
     assert list(book(course, number)) == ["Student", "Leaver", "Other"]
     course.lecturer.patch(path, json={"group": ""})
+
+
+def test_who_handed_in_and_is_a_student_no_more_stays_in_the_gradebook_and_is_marked_so(course: Course) -> None:
+    number, empty = course.published(), course.published()
+    person, place = course.school.people["leaver"], f"/api/v1/courses/{course.school.course}"
+    who = course.school.browser("leaver")
+    variant = course.variant(number, who)
+    answers = reference(handing.variant_of(course.card(number, "leaver")))
+    assert course.hand_in(variant, answers, who=who).status_code == 201
+    assert not book(course, number)["Leaver"]["student"]["left"]
+    assert course.lecturer.delete(f"{place}/members/{person}").status_code == 204
+    try:
+        row = book(course, number)["Leaver"]
+        assert (row["points"], row["student"]["left"]) == (10, True)
+        assert "Leaver" not in book(course, empty)
+        for exported in (f"/api/v1/task-sets/{number}/marks.csv", f"{place}/marks.csv"):
+            (line,) = table(course, exported, "Leaver")
+            assert (line["Points"], line["No longer a student here"]) == ("10", "yes")
+        pages = f"sets/{number}/results", f"courses/{course.school.course}/results", f"sets/{number}/students/{person}"
+        assert all("(no longer a student here)" in course.lecturer.get(f"/{page}?lang=en").text for page in pages)
+    finally:
+        bench = course.school.bench
+        course.school.portal.call(bench.courses.join, course.school.course, person, "assistant", datetime.now(UTC))
+    assert book(course, number)["Leaver"]["student"]["left"]
+    course.lecturer.patch(f"{place}/members/{person}", json={"role": "student"})
+    assert not book(course, number)["Leaver"]["student"]["left"]
+
+
+def table(course: Course, path: str, name: str) -> list[dict[str, str]]:
+    """The lines of a student in an exported table."""
+    text = course.lecturer.get(f"{path}?lang=en").content.decode("utf-8-sig")
+    return [line for line in csv.DictReader(text.splitlines()) if line["Name"] == name]
 
 
 def test_late_work_and_extra_time_are_counted_for_each_student(course: Course) -> None:
