@@ -20,6 +20,7 @@ ROUNDS = 60
 PATIENCE = 8  # rounds that may pass without halving the gaps
 MIXES = 3
 SHARE = 0.3  # of a step that must be left after closing again, or nothing moved
+LEFT = 0.01  # of a step: less is what closing to within CLOSED leaves of a locked direction
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,14 +55,38 @@ def freedom(closure: Closure, coordinates: int) -> Freedom:
 
 def _fewest(closure: Closure, free: Any, step: float) -> int:
     """The fewest freedoms at the places that walks reach; 0 where all spring back. What has moved has at least one."""
-    fewest = 0
+    import numpy as np
+
+    fewest, place = 0, np.zeros(free.shape[1])
     for direction in _directions(free):
-        found = _walk(closure, direction, step)
-        if found is not None and (not fewest or found < fewest):
-            fewest = found
+        at = _walk(closure, direction, step)
+        if at is None:
+            continue
+        found = at.size - _rank(closure(at)[1])
+        if not fewest or found < fewest:
+            fewest, place = found, at
         if fewest == 1:
             break
-    return fewest
+    return _moved(closure, place) if fewest > 1 else fewest
+
+
+def _moved(closure: Closure, at: Vector) -> int:
+    """Count the directions that the mechanism follows from a place it has reached; of the free ones some may be locked.
+
+    Steps along all free directions are closed again. What is left of them spans the finite motions: a step within
+    them is kept whole, one along a locked direction springs back.
+    """
+    import numpy as np
+
+    free = free_directions(closure(at)[1], at.size)
+    most = 0
+    for step in PACES:
+        reached = [_closed(closure, at + sign * step * direction) for direction in free for sign in (1.0, -1.0)]
+        kept = np.array([(there - at) / step for there in reached if there is not None]).reshape(-1, at.size)
+        most = max(most, int((np.linalg.svd(kept, compute_uv=False) > SHARE).sum()))
+        if most == free.shape[0]:
+            break
+    return max(1, most)
 
 
 def _directions(free: Any) -> list[Vector]:
@@ -83,24 +108,44 @@ def free_directions(slopes: Any, coordinates: int) -> Any:
     if not slopes.shape[0]:
         return np.eye(coordinates)
     _, values, rows = np.linalg.svd(slopes)
-    rank = int(np.sum(values > RANK * max(values[0], 1e-300)))
-    return rows[rank:]
+    return rows[_above(values) :]
 
 
-def _walk(closure: Closure, direction: Vector, step: float) -> int | None:
-    """Walk along a free direction; the freedoms at the place reached, or None if the first step springs back."""
+def _rank(slopes: Any) -> int:
+    """The rank alone: without a basis it takes a tenth of the time or less."""
     import numpy as np
 
-    at, ahead = np.zeros(direction.size), direction
+    return _above(np.linalg.svd(slopes, compute_uv=False))
+
+
+def _above(values: Any) -> int:
+    return int((values > RANK * max(values[0], 1e-300)).sum())
+
+
+def _walk(closure: Closure, direction: Vector, step: float) -> Vector | None:
+    """Walk along a free direction; the place reached, or None if the first step springs back.
+
+    Where it springs back, what is left of it is tried once more: of a mixture of locked directions and motions, the
+    motions are left.
+    """
+    import numpy as np
+
+    start = np.zeros(direction.size)
+    at, ahead, turned = start, direction, False
     for _ in range(STEPS):
         there = _closed(closure, at + step * ahead)
-        if there is None or np.linalg.norm(there - at) < SHARE * step or (there - at) @ ahead < SHARE * step:
+        if there is None:
             break
-        ahead = (there - at) / np.linalg.norm(there - at)
-        at = there
-    if not np.any(at):
-        return None
-    return int(free_directions(closure(at)[1], at.size).shape[0])
+        way = there - at
+        length = np.linalg.norm(way)
+        if length < SHARE * step or way @ ahead < SHARE * step:
+            if turned or not length > LEFT * step or at is not start:
+                break
+            turned = True
+        else:
+            at = there
+        ahead = way / length
+    return at if np.any(at) else None
 
 
 def _closed(closure: Closure, at: Vector) -> Vector | None:

@@ -50,6 +50,40 @@ def test_a_straightened_two_bar_has_an_instantaneous_freedom_only() -> None:
     assert (found.formula, found.instantaneous, found.true) == (0, 1, 0)
 
 
+def straight(*links: str, y: float = -1.0) -> list[Joint]:
+    """Two bars in line between pivots of the frame: they tremble, and do not move."""
+    one, other = links
+    return [bar(0, y, links="0" + one), bar(1.2, y, links=one + other), bar(3, y, links=other + "0")]
+
+
+def test_bars_that_only_tremble_add_no_freedom_to_a_mechanism_that_moves() -> None:
+    one = plane("012356", [*four_bar()[:4], *straight("5", "6")])
+    assert (one.instantaneous, one.true) == (2, 1)
+    passive = plane("0123456", [*four_bar(), *straight("5", "6")])
+    assert (passive.formula, passive.instantaneous, passive.true, passive.passive) == (0, 2, 1, 1)
+
+
+def test_one_motion_is_found_among_many_directions_that_tremble() -> None:
+    pairs = ("ab", "cd", "ef", "gh", "ij", "kl", "mn", "op")
+    many = [joint for y, pair in enumerate(pairs) for joint in straight(*pair, y=-1.0 - y)]
+    found = plane("01234" + "".join(pairs), [*four_bar(), *many])
+    assert (found.instantaneous, found.true) == (9, 1)
+
+
+def test_two_passive_mechanisms_beside_bars_that_tremble_have_two_freedoms() -> None:
+    other = [replace(joint, links=tuple("0789x"["01234".index(link)] for link in joint.links)) for joint in four_bar()]
+    found = plane("0123456789x", [*four_bar(), *straight("5", "6"), *other])
+    assert (found.instantaneous, found.true) == (3, 2)
+
+
+def test_in_space_too_bars_that_tremble_add_no_freedom() -> None:
+    z = (0.0, 0.0, 1.0)
+    flat = [*four_bar()[:4], *straight("5", "6")]
+    drawn = [replace(joint, at=(*(joint.at or ()), 0.0), direction=z) for joint in flat]
+    found = space("012356", drawn)
+    assert (found.instantaneous, found.true) == (2, 1)
+
+
 def test_a_flattened_parallelogram_has_two_free_directions_but_one_freedom() -> None:
     joints = [bar(0, 0, links="01"), bar(1, 0, links="12"), bar(4, 0, links="23"), bar(3, 0, links="30")]
     found = plane("0123", joints)
