@@ -1,26 +1,33 @@
-"""`grubler grade`: marks files of answers and says it as text, JSON or JUnit XML."""
+"""`grubler grade`: marks files of answers and says it to people, programs and pipelines."""
 
 from __future__ import annotations
 
 import os
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from cli import formats
+from cli import formats, pipelines
 from cli.marking import Sheet, mark_file
 from cli.problems import language
 from cli.reading import read_tasks
 from exercises.solving import NO_SECRET
 
 PASS = 0.5
+FORMATS: Mapping[str, Callable[[Sequence[Sheet], float, str], str]] = {
+    "text": formats.text,
+    "json": formats.as_json,
+    "junit": pipelines.junit,
+    "gradescope": pipelines.gradescope,
+    "github": pipelines.github,
+}
 
 
 def arguments(parser: ArgumentParser) -> None:
     """Add the arguments of the command."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="answers as JSON")
     parser.add_argument("--tasks", metavar="TASKS", help="file of the tasks that were dealt; other items score 0")
-    parser.add_argument("--format", choices=tuple(formats.FORMATS), default="text", help="form of the result")
+    parser.add_argument("--format", choices=tuple(FORMATS), default="text", help="form of the result")
     mark = "share of the score from which a file passes, 0 to 1 (default: 0.5)"
     parser.add_argument("--pass", dest="mark", type=_share, default=PASS, metavar="SHARE", help=mark)
     language(parser)
@@ -34,7 +41,7 @@ def run(options: Namespace) -> int:
     for sheet in sheets:
         if sheet.problem:
             print(f"grubler: {sheet.problem.worded(options.lang)}", file=sys.stderr)
-    print(formats.FORMATS[options.format](sheets, options.mark, options.lang))
+    print(FORMATS[options.format](sheets, options.mark, options.lang))
     return _code(sheets, options.mark)
 
 

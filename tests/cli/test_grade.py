@@ -79,7 +79,7 @@ def slip() -> dict[str, object]:
 def test_a_known_slip_brings_its_hint(lang: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, {"items": [slip()]})
     hint = {"pl": "Sprawdź znak", "en": "Check the sign", "ru": "Проверьте знак"}[lang]
-    for form in ("text", "json", "junit"):
+    for form in ("text", "json", "junit", "gradescope", "github"):
         assert hint in run(capsys, "grade", file, "--lang", lang, "--format", form)[1]
 
 
@@ -139,6 +139,53 @@ def test_junit_counts_missing_tasks_as_failures(tmp_path: Path, capsys: pytest.C
     out = run(capsys, "grade", written(tmp_path, {"items": [right()]}), "--tasks", tasks, "--format", "junit")[1]
     (suite,) = ElementTree.fromstring(out)
     assert (suite.attrib["tests"], suite.attrib["failures"]) == ("6", "1")
+
+
+def test_gradescope_gets_a_point_for_each_task_and_why(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    tasks = written(tmp_path, {"items": [task(1), task(2), task(3)]}, "tasks.json")
+    file = written(tmp_path, {"items": [right(1), item("slider_crank", 2, l3="1 kN")]})
+    code, out, _ = run(capsys, "grade", file, "--tasks", tasks, "--format", "gradescope", "--lang", "pl")
+    results = json.loads(out)
+    assert code == 0 and results["score"] == 1.8 and "output" not in results
+    assert [(test["score"], test["max_score"], test["status"]) for test in results["tests"]] == [
+        (1, 1, "passed"), (0.8, 1, "failed"), (0, 1, "failed"),
+    ]  # fmt: skip
+    assert results["tests"][0]["name"] == "slider_crank, ziarno 1"
+    assert "l3: Jeszcze nie: ta jednostka mierzy inną wielkość." in results["tests"][1]["output"]
+
+
+def test_gradescope_tells_files_apart_and_says_why_one_was_not_used(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    names = [written(tmp_path, {"items": [right(1)]}, "a.json"), written(tmp_path, {"items": 1}, "b.json")]
+    code, out, _ = run(capsys, "grade", *names, "--format", "gradescope")
+    results = json.loads(out)
+    assert code == 2 and results["score"] == 1 and results["output"].startswith(f"{names[1]}: items: ")
+    assert [test["name"] for test in results["tests"]] == [f"{names[0]}: slider_crank, seed 1"]
+
+
+def test_github_annotates_the_tasks_that_are_not_right_and_the_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    odd = "100%, a:b\n::error::forged.json"
+    names = [written(tmp_path, {"items": [right(1), item("slider_crank", 2, l3="::error::x")]}, odd)]
+    names.append(written(tmp_path, {"items": 1}, "b.json"))
+    code, out, _ = run(capsys, "grade", *names, "--format", "github")
+    place = f"file={tmp_path}/100%25%2C a%3Ab\ufffd%3A%3Aerror%3A%3Aforged.json,title="
+    warning, passed, unused = out.splitlines()
+    assert code == 2
+    assert warning.startswith(f"::warning {place}slider_crank%2C seed 2%3A 80 %25::alpha2: ") and "%0A" in warning
+    assert passed == f"::notice {place}passed::90 %25"
+    assert unused.startswith(f"::error file={names[1]},title=could not be used::{names[1]}: items: ")
+
+
+@pytest.mark.parametrize("form", ["text", "github"])
+def test_no_line_of_a_marking_begins_as_the_name_of_a_file_would_have_it(
+    form: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    name = written(tmp_path, {"items": [right(1)]}, "a\n::stop-commands::x.json")
+    out = run(capsys, "grade", name, "--format", form)[1]
+    assert out and not any(line.startswith("::stop") for line in out.splitlines())
 
 
 def test_a_file_name_that_is_no_text_can_be_graded(tmp_path: Path) -> None:
