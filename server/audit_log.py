@@ -18,7 +18,7 @@ from server.people import REFUSED
 from server.reader import Asking, admit
 from server.sets import clock
 from server.storage.audit import Detail, Line
-from server.templating import page
+from server.templating import decimal, page
 
 AT_ONCE = 100  # lines in one answer
 
@@ -115,8 +115,14 @@ async def _page(request: Request, bench: Bench, language: str, before: int | Non
     return page(request, language, "audit.html", context)
 
 
+def _plain(language: str, value: Detail) -> str:
+    if isinstance(value, float):
+        return decimal(language, value)
+    return "—" if value is None else str(value)
+
+
 def _worded(language: str, name: str, value: Detail) -> str:
     """Word a detail: its name, and its value where that is a word of ours."""
     known = words(language)
-    said = known.get(f"audit.value_{value}".lower(), "—" if value is None else str(value))
+    said = known.get(f"audit.value_{value}".lower(), _plain(language, value))
     return f"{known.get(f'audit.detail_{name}', name)}: {said}"

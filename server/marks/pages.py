@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -14,7 +14,7 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from graders import Code
 from server import forms
-from server.bench import Tools
+from server.bench import Bench, Tools
 from server.courses import here
 from server.errors import Refused
 from server.language import say
@@ -28,6 +28,7 @@ from server.reader import Asking, Reader, admit
 from server.receipts import whole
 from server.sets import clock
 from server.sets.api import set_of
+from server.sets.pages import title_of
 from server.templating import decimal, page
 
 MOST_OPEN = 50  # open answers on a page
@@ -71,7 +72,7 @@ async def show_analysis(task_set: str, request: Request, bench: Tools, reader: A
     context = {
         "task_set": found,
         "items": shown,
-        "titles": {slot.number: ", ".join(slot.pool) for slot in found.slots},
+        "titles": {slot.number: await _titles(bench, slot.pool, reader.language) for slot in found.slots},
         "signed": partial(_signed, reader.language),
         "rounded": partial(_rounded, reader.language, places=1),
         "chance": partial(_rounded, reader.language, places=4),
@@ -167,6 +168,10 @@ def _checked(model: Callable[[Any], Any], written: dict[str, Any]) -> Any:
     except ValidationError as error:
         field = ".".join(map(str, error.errors()[0]["loc"]))
         raise Refused(422, "out_of_range", field=field, name=field) from None
+
+
+async def _titles(bench: Bench, pool: Sequence[str], language: str) -> str:
+    return "; ".join([await title_of(bench, one, language) for one in pool])
 
 
 def _common(reader: Reader) -> dict[str, Any]:

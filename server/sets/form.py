@@ -21,7 +21,7 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
         {
             "number": slot.number,
             "pool": " ".join(slot.pool),
-            "points": f"{slot.points:g}",
+            "points": slot.points,
             "attempts": slot.attempts or "",
             "limits": "; ".join(f"{name} {low:g} {high:g}" for name, (low, high) in slot.limits.items()),
         }

@@ -178,11 +178,14 @@ async def _builder(
         "seed": seed,
         "last_seed": MAX_SEED,
         "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table) if slot else None,
-        "catalogue": [(one, (await _title(bench, one, reader.language))) for one in catalogue.ids()],
+        "catalogue": [(one, await title_of(bench, one, reader.language)) for one in catalogue.ids()],
     }
     return page(request, reader.language, "builder.html", context | _common(reader))
 
 
-async def _title(bench: Bench, exercise: str, language: str) -> str:
+async def title_of(bench: Bench, exercise: str, language: str) -> str:
+    """Give the title of an exercise in a language; its id where it is no longer in the catalogue."""
+    if exercise not in catalogue.ids():
+        return exercise
     shown: presenting.Presented = await bench.judging.run(sample, exercise, language)
     return shown.title

@@ -79,6 +79,7 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     page = course.lecturer.get(f"{reply.headers['location']}?lang=en").text
     assert f'href="{path}"' in page
     page = course.lecturer.get(f"{path}?lang=en").text
-    assert "What would change" in page and "Student" in page and "<code>l3</code>" in page
+    assert "What would change" in page and "Student" in page and '<td class="code">l3</td>' in page
+    assert 'name="then" value="regrade">Change results: 1<' in page
     assert "wrong <code>wrong</code>" in page and "right <code>right</code>" in page
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
