@@ -64,7 +64,7 @@ def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") ->
         chance: What the points depend on.
     """
     pair = Pair(b, Formula(a, spread_over(tuple(box.items()), chance)), mutual=True)
-    found = pair.early() or (pair.compared() if not pair.turns or pair.values >= LEAST else None)
+    found = pair.at_once() or (pair.compared() if not pair.turns or pair.values >= LEAST else None)
     if found is not None:
         return found
     one, other = domain_test(a, tuple(box), ()), domain_test(b, tuple(box), ())

@@ -62,7 +62,7 @@ class Balls:
         for bits in PRECISIONS:
             ctx.prec = bits
             try:
-                right, typed = self._runner(bits).run(exactly(point))
+                right, typed = self.runner(bits).run(exactly(point))
             except UndefinedError:
                 return self._one_sided(point)
             found = zero(right, typed, bits)
@@ -74,7 +74,8 @@ class Balls:
             radius = now
         return Finding.UNDECIDED
 
-    def _runner(self, bits: int) -> Runner:
+    def runner(self, bits: int) -> Runner:
+        """Give the program ready for a precision."""
         runner = self.runners.get(bits)
         if runner is None:
             runner = self.runners[bits] = Runner(self.program, BALLS)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from graders.equality.comparing import between, spread_over
 from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
 from graders.equality.pair import FEW, MOST_TURNS, Comparison, Pair, few
-from graders.equality.steep import steep
+from graders.equality.steep import may_be_steep
 from graders.equality.turns import TURNING
 from graders.judge import Domain, Formula, States
 from graders.language.balls import BALLS, precision
@@ -54,7 +54,7 @@ def _together(right: Sequence[Tree], typed: Sequence[Tree], states: States) -> l
     for name, line in states.lines:
         builder.define(name, line)
     sides = [builder.add(tree) for tree in right], [builder.add(tree) for tree in typed]
-    if any(name in TURNING for name, _ in builder.operations) or steep(builder.program()):
+    if any(name in TURNING or may_be_steep(name) for name, _ in builder.operations):
         return [None] * len(right)
     apart = [(at, one, other) for at, (one, other) in enumerate(zip(*sides, strict=True)) if one != other]
     found: list[Comparison | None] = [EQUAL] * len(right)

@@ -7,10 +7,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graders.equality.deciding import Balls, Finding
+from graders.equality.cases import Cases
+from graders.equality.deciding import PRECISIONS, Balls, Finding
 from graders.equality.probing import Row, Search, looks, open_turns
-from graders.equality.steep import steep, summits
-from graders.equality.turns import TURNING, Turn, together, turns
+from graders.equality.steep import may_be_steep, steep, summits
+from graders.equality.turns import TURNING, Turn, together, turning, turns
 from graders.judge import Domain, Formula
 from graders.language.doubles import DOUBLES, domain_test
 from graders.language.intervals import Interval
@@ -18,6 +19,7 @@ from graders.language.program import Builder, Program, Runner
 from graders.language.tree import Number, Tree, names
 from graders.states import INSIDE, Point
 
+CASES = 3  # points that settle one case of what turns
 FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
@@ -55,20 +57,29 @@ def few(points: Sequence[Point]) -> Iterator[Point]:
 
 @dataclass(frozen=True, slots=True)
 class Turned:
-    """What turns in a pair: the program with its values as outputs, their ranges on the box, their values at points."""
+    """What turns in a pair.
+
+    Attributes:
+        program: The pair, with the values of what turns as further outputs.
+        turns: What may turn in the box, as far as it is searched.
+        functions: Slots of the functions in which it does.
+        slots: The ranges of all slots on the box.
+        steep: Slots of the exponentials and high powers that range widely.
+    """
 
     program: Program
     turns: list[Turn]
-    ranges: list[Interval]
-    rows: list[Row]
+    functions: frozenset[int]
+    slots: list[Interval]
+    steep: frozenset[int]
 
 
 class Pair:
     """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
 
     __slots__ = (
-        "_turned", "balls", "builder", "lines", "most_turns", "mutual", "points", "program", "searched", "states",
-        "turning",
+        "_early", "_once", "_rows", "_turned", "balls", "builder", "lines", "most_turns", "mutual", "points", "program",
+        "searched", "states", "turning",
     )  # fmt: skip
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool, most_turns: int = MOST_TURNS) -> None:
@@ -79,30 +90,39 @@ class Pair:
         self.program: Program = builder.program(builder.add(reference.tree), builder.add(answer))
         self.turning = any(name in TURNING for name, _ in builder.operations)
         self.balls = Balls(self.program, mutual, self.lines)
+        self._once = False
+        self._early: Comparison | None = None
         self._turned: Turned | None = None
+        self._rows: list[Row] | None = None
         self.searched, self.most_turns = True, most_turns
 
     @property
     def turned(self) -> Turned:
-        """Give what turns, and what doubles see at all points; only what may turn in the box counts."""
+        """Give what turns; only what may turn in the box counts."""
         if self._turned is None:
             self._turned = self._look()
         return self._turned
 
     def _look(self) -> Turned:
-        if not self.turning:
-            return Turned(self.program, [], [], [])
         right, typed = self.program.outputs
-        found = turns(self.builder, (right, *self.lines), typed)
-        ranges: list[Interval] = []
-        if self.states.box:
-            wide = self.builder.program(right, typed, *(turn.slot for turn in found))
-            found, ranges = open_turns(wide, self.states.box, found)
+        found = turns(self.builder, (right, *self.lines), typed) if self.turning else []
+        slots = list[Interval]()
+        if self.states.box and (found or any(may_be_steep(name) for name, _ in self.program.operations)):
+            found, slots = open_turns(self._with(found), self.states.box, found)
+        functions = turning(self.builder, len(self.program.operations), {turn.slot for turn in found})
         if len(found) > self.most_turns:
-            self.searched = False
-            found, ranges = found[: self.most_turns], ranges[: self.most_turns]
-        wide = self.builder.program(right, typed, *(turn.slot for turn in found))
-        return Turned(wide, found, ranges, looks(Runner(wide, DOUBLES), self.points) if found else [])
+            self.searched, found = False, found[: self.most_turns]
+        return Turned(self._with(found), found, functions, slots, steep(self.program, slots))
+
+    def _with(self, found: Sequence[Turn]) -> Program:
+        return self.builder.program(*self.program.outputs, *(turn.slot for turn in found))
+
+    @property
+    def rows(self) -> list[Row]:
+        """Give what doubles see at all points."""
+        if self._rows is None:
+            self._rows = looks(Runner(self.turned.program, DOUBLES), self.points) if self.turns else []
+        return self._rows
 
     @property
     def turns(self) -> list[Turn]:
@@ -112,33 +132,46 @@ class Pair:
     @property
     def values(self) -> int:
         """The number of points at which one of the two has a value."""
-        return sum(any(map(math.isfinite, row[:2])) for row in self.turned.rows)
+        return sum(any(map(math.isfinite, row[:2])) for row in self.rows)
 
-    def early(self) -> Comparison | None:
-        """Give a difference that the very first point proves: nearly all wrong answers end here."""
-        return self._first(self.points[:1])
+    def at_once(self) -> Comparison | None:
+        """Give a difference that the very first point proves, or equality in every case: most answers end here."""
+        if not self._once:
+            self._once = True
+            self._early = self._first(self.points[:1])
+            if self._early is None and (self.turns or self.turned.steep):
+                self._early = self._in_every_case()
+        return self._early
 
     def compared(self) -> Comparison:
         """Compare the two."""
-        early = self.early() or self._at_summits()
-        if early is not None or not self.turns:
-            return early or self._smooth()
+        found = self.at_once() or self._at_summits()
+        if found is not None or not self.turns:
+            return found or self._smooth()
         places = list[Place]()
-        for found in self._stages():
-            worst = self._first(place.point for place in found[:WORST] if place.asked)
+        for stage in self._stages():
+            worst = self._first(place.point for place in stage[:WORST] if place.asked)
             if worst is not None:
                 return worst
-            places += found
+            places += stage
         places.sort(key=lambda place: not place.asked)
         return self._settled(places)
 
+    def _in_every_case(self) -> Comparison | None:
+        """Give equality that does not hang on what turns or is steep."""
+        points, turned = self.points[:CASES], self.turned
+        if len(set(points)) < CASES or self.balls.at(points[0]) is not Finding.EQUAL:
+            return None
+        cases = Cases(self.program, self.lines, points, turned.slots, turned.functions | turned.steep, self.mutual)
+        return Comparison(Finding.EQUAL) if cases.agree(self.balls.runner(PRECISIONS[0])) else None
+
     def _at_summits(self) -> Comparison | None:
         """Give a difference that steep parts hide at most points."""
-        if not self.states.box or not steep(self.program):
+        if not self.states.box or not self.turned.steep:
             return None
         rows = zip(looks(Runner(self.program, DOUBLES), self.points), self.points, strict=True)
         worst = [place.point for place in self._places(rows, None)[:WORST] if place.asked]
-        return self._first([*worst, *summits(self.program, self.states.box, self.points)])
+        return self._first([*worst, *summits(self.program, self.turned.steep, self.states.box, self.points)])
 
     def _smooth(self) -> Comparison:
         """Ask the balls at a few points: an analytic difference that is zero there is zero."""
@@ -178,16 +211,16 @@ class Pair:
         and those around touched zeros, each of which is asked about.
         """
         turned, doubles = self.turned, Runner(self.turned.program, DOUBLES)
-        yield self._places(zip(turned.rows, self.points, strict=True), None)
+        yield self._places(zip(self.rows, self.points, strict=True), None)
         if not self.states.box:
             return
-        search = Search(turned.program, self.states.box, self.points, turned.rows, self.mutual, self.lines)
-        found = list(search.beside(turned.turns, turned.ranges))
+        search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines)
+        found = list(search.beside(turned.turns, [turned.slots[turn.slot] for turn in turned.turns]))
         crossed = [point for point, touched in found if not touched]
         rows = looks(doubles, crossed)
         yield self._places(zip(rows, crossed, strict=True), None)
         groups = together(self.builder, turned.turns, self.program.outputs)
-        joint = list(search.joint(turned.turns, groups, [*turned.rows, *rows])) if groups else []
+        joint = list(search.joint(turned.turns, groups, [*self.rows, *rows])) if groups else []
         yield self._places(zip(looks(doubles, joint), joint, strict=True), None)
         touching = [point for point, touched in found if touched]
         for number, (row, point) in enumerate(zip(looks(doubles, touching), touching, strict=True)):

@@ -54,10 +54,9 @@ def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
 
 
 def open_turns(program: Program, box: Sequence[Domain], turns: Sequence[Turn]) -> tuple[list[Turn], list[Interval]]:
-    """Give the turns that may change their sign in a box, or touch the zero of an edge, and their ranges."""
+    """Give the turns that may change their sign in a box, or touch the zero of an edge, and the ranges of all slots."""
     slots = Runner(program, INTERVALS).slots(whole(box))
-    found = [turn for turn in turns if _open(turn, slots[turn.slot])]
-    return found, [slots[turn.slot] for turn in found]
+    return [turn for turn in turns if _open(turn, slots[turn.slot])], slots
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,9 +229,14 @@ def _number(value: float) -> float:
 
 def _open(turn: Turn, values: Interval) -> bool:
     """Tell whether an argument may change its sign in the box, or touch the zero of an edge."""
+    return not side_of_zero(values) and (turn.edge or not values[0] >= 0)
+
+
+def side_of_zero(values: Interval) -> int:
+    """Give the sign of all of some values; 0 where it may be either, or none."""
     low, high = values
     margin = MARGIN * max(abs(low), abs(high))
-    return not (low > margin or high < -margin or (low >= 0 and not turn.edge))
+    return int(low > margin) - int(high < -margin)
 
 
 def _alike(one: Sequence[Found], other: Sequence[Found]) -> bool:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import product
 
 from graders.equality.probing import look
-from graders.equality.sides import whole
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
-from graders.language.intervals import INTERVALS
+from graders.language.intervals import Interval
 from graders.language.program import Program, Runner
 from graders.states import Point
 
@@ -22,21 +21,35 @@ MOST = 6  # exponents that are followed
 LEAST_STEP, STILL = 1e-12, 12  # of a domain; steps without a gain behind which there is a summit
 
 
-def steep(program: Program) -> bool:
-    """Tell whether a program holds exponentials or high powers."""
-    return any(name in STEEP or (name[:5] == "power" and int(name[5:]) >= HIGH) for name, _ in program.operations)
+def steep(program: Program, slots: Sequence[Interval]) -> frozenset[int]:
+    """Give the slots of exponentials and high powers that range widely, as far as the ranges of all slots tell."""
+    return frozenset(
+        slot for slot, (name, arguments) in enumerate(program.operations, len(program.inputs))
+        if may_be_steep(name) and not (slots and _gentle(name, slots[arguments[0]], slots[slot]))
+    )  # fmt: skip
 
 
-def summits(program: Program, box: Sequence[Domain], points: Sequence[Point]) -> list[Point]:
-    """Give points where the exponents of a program are greatest and least, as far as they range widely."""
-    slots = Runner(program, INTERVALS).slots(whole(box))
-    wide = [
-        arguments[0] for name, arguments in program.operations
-        if name in EXPONENTS and not slots[arguments[0]][1] - slots[arguments[0]][0] < WIDE
-    ]  # fmt: skip
-    found = []
-    for slot in wide[:MOST]:
-        exponent = program.only(slot)
+def may_be_steep(name: str) -> bool:
+    """Tell whether an operation is an exponential or a high power."""
+    return name in STEEP or (name[:5] == "power" and int(name[5:]) >= HIGH)
+
+
+def _gentle(name: str, exponent: Interval, values: Interval) -> bool:
+    """Tell whether no value is less than 30 digits of another: by the exponent, or of a power by the values."""
+    if name in EXPONENTS:
+        return exponent[1] - exponent[0] < WIDE
+    least, greatest = sorted(map(abs, values))
+    return values[0] * values[1] > 0 and greatest < math.exp(WIDE) * least
+
+
+def summits(
+    program: Program, steep_slots: Collection[int], box: Sequence[Domain], points: Sequence[Point]
+) -> list[Point]:
+    """Give points where the exponents of steep slots are greatest and least."""
+    start, found = len(program.inputs), []
+    steep_ones = (program.operations[slot - start] for slot in sorted(steep_slots))
+    for argument in [arguments[0] for name, arguments in steep_ones if name in EXPONENTS][:MOST]:
+        exponent = program.only(argument)
         found += [_summit(exponent, box, points, way) for way in (1.0, -1.0)]
     return found
 

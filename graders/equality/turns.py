@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import TypeAlias
 
-from graders.language.program import Builder, Operation
+from graders.language.program import Builder, Operation, Program
 from graders.language.tree import Number
 
 BRANCHES = frozenset(("abs", "sign", "macaulay"))  # the sign of the argument chooses the function
@@ -51,7 +51,7 @@ def turns(builder: Builder, right: Sequence[int], typed: int) -> list[Turn]:
     if not any(name in TURNING for name, _ in operations):
         return []
     wraps = any(name in WRAPPING for name, _ in operations)
-    sides = [_needed(builder, slots) for slots in (right, (typed,))]
+    sides = [needed(builder, slots) for slots in (right, (typed,))]
     found: dict[int, Turn] = {}
     for at, operation in enumerate(operations, len(builder.inputs)):
         for slot in _turning(builder, operation, wraps):
@@ -109,13 +109,23 @@ def _small(group: frozenset[int]) -> list[frozenset[int]]:
     return [group] if len(group) <= LARGEST else [frozenset(pair) for pair in combinations(sorted(group), 2)]
 
 
-def _needed(builder: Builder, outputs: Sequence[int]) -> set[int]:
+def needed(program: Builder | Program, outputs: Sequence[int]) -> set[int]:
     """Find the slots that some slots stand on."""
-    needed, start = set(outputs), len(builder.inputs)
-    for slot in range(start + len(builder.operations) - 1, start - 1, -1):
-        if slot in needed:
-            needed.update(builder.operations[slot - start][1])
-    return needed
+    found, start = set(outputs), len(program.inputs)
+    for slot in range(start + len(program.operations) - 1, start - 1, -1):
+        if slot in found:
+            found.update(program.operations[slot - start][1])
+    return found
+
+
+def turning(builder: Builder, count: int, open_slots: Collection[int]) -> frozenset[int]:
+    """Give the slots of those of the first operations that turn where one of some slots changes its sign."""
+    start, operations = len(builder.inputs), builder.operations[:count]
+    wraps = any(name in WRAPPING for name, _ in operations)
+    return frozenset(
+        slot for slot, operation in enumerate(operations, start)
+        if any(one in open_slots for one in _turning(builder, operation, wraps))
+    )  # fmt: skip
 
 
 def _turning(builder: Builder, operation: Operation, wraps: bool) -> tuple[int, ...]:

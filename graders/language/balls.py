@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from flint import arb, ctx, fmpq, fmpz
+from flint import arb, ctx, fmpq
 
 from graders.language.doubles import UndefinedError
 from graders.language.program import Arithmetic
@@ -35,8 +35,9 @@ def precision(bits: int) -> Iterator[None]:
 def _literal(number: Number) -> arb:
     if number.whole:
         return arb(int(number.digits))
-    value = number.exact
-    return arb(fmpq(fmpz(value.numerator), fmpz(value.denominator)))
+    whole, _, part = number.digits.partition(".")
+    figures, power = int(whole + part), number.exponent - len(part)
+    return arb(figures * 10**power) if power >= 0 else arb(fmpq(figures, 10**-power))
 
 
 def _divide(a: Any, b: Any) -> Any:

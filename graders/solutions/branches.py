@@ -52,14 +52,14 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     box = tuple(Domain(low, high) for low, high in scene.ranges)
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(2 * len(program.operations))
-    found, ranges = open_turns(program, box, found)
-    every, found, ranges = len(found), found[:MOST_TURNS], ranges[:MOST_TURNS]
+    found, slots = open_turns(program, box, found)
+    every, found = len(found), found[:MOST_TURNS]
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))
     turning = Turning(scene, program, Runner(program, DOUBLES))
     rows = looks(turning.runner, scene.points)
     search = Search(program, box, scene.points, rows, True, tuple(lines))
-    beside = list(search.beside(found, ranges))
+    beside = list(search.beside(found, [slots[turn.slot] for turn in found]))
     groups = together(builder, found, outputs)
     if groups:
         looked = looks(turning.runner, [point for point, _ in beside])

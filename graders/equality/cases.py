@@ -1,0 +1,311 @@
+"""Whether two formulas agree however signs go: what is equal in every case needs no search for the cases there are.
+
+A bracket, an absolute value, a greatest or a least value, the root of a square is one of two functions, and each stands
+in its place in turn. Another root, a logarithm, an angle, a steep exponent becomes a number drawn for it, the same
+number wherever the arguments are the same. Two sides that then agree at a few points, in every case, and end at the
+same places, agree on all of a box, whichever cases it holds. Where they do not agree nothing is shown: a case may be
+nowhere, and the sine of an arc is more than a number. This settles most right answers that turn several times faster
+than a search.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+from flint import arb
+
+from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
+from graders.equality.probing import side_of_zero
+from graders.equality.steep import EXPONENTS
+from graders.equality.turns import needed
+from graders.language.balls import BALLS, precision
+from graders.language.doubles import UndefinedError
+from graders.language.intervals import ALL, INTERVALS, Interval
+from graders.language.program import Operation, Program, Runner
+from graders.states import Point
+
+WORK = 1200  # operations and comparisons of all cases together
+CHOOSING = frozenset(("abs", "macaulay", "min", "max", "sign"))
+ALWAYS = frozenset(("root", "sign", "atan2", "macaulay", "atan", "acot"))  # drawn also where they do not turn
+EXPONENTIAL = EXPONENTS | {"^"}
+UNENDED = CHOOSING | EXPONENTS | {"atan", "acot"}  # these have a value everywhere
+BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
+SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
+POLES = frozenset(("/", "tan", "cot"))
+AROUND_ONE: Interval = (0.5, 1.5)
+
+Column: TypeAlias = Sequence[Any]  # a ball at each of the points
+
+
+class Unsettled(ArithmeticError):
+    """The cases would take longer than a search, or say nothing."""
+
+
+class Known(NamedTuple):
+    """A function for which a number was drawn: its kind, its arguments, the number."""
+
+    kind: str
+    arguments: Sequence[Column]
+    value: Column
+
+
+class Choice(NamedTuple):
+    """An argument whose sign chooses, its values on the box, the functions above and below zero."""
+
+    inside: Column
+    ends: Interval
+    values: tuple[Column, Column]
+
+
+class Case(NamedTuple):
+    """What was chosen so far: values of all slots, signs of arguments, numbers drawn, slots of roots of squares."""
+
+    slots: list[Column]
+    signs: list[tuple[Column, bool]]
+    known: list[Known]
+    squares: list[int]
+
+    def where(self, chosen: Choice, below: bool, slot: int) -> Case:
+        """Give the case in which one more argument has a sign."""
+        signs = [*self.signs, (chosen.inside, below)]
+        found = Case(list(self.slots), signs, list(self.known), list(self.squares))
+        found.slots[slot] = chosen.values[below]
+        return found
+
+
+class Cases:
+    """All cases of a program of two outputs, right and typed.
+
+    Args:
+        program: The two.
+        lines: Slots of the earlier names on which the reference stands.
+        points: Points of the box.
+        ranges: The values of all slots on the box; empty where no box is known.
+        turning: Slots of the functions whose arguments may turn in the box, and of those that are steep.
+        mutual: Whether the two differ also where only the reference has no value.
+    """
+
+    def __init__(
+        self, program: Program, lines: Sequence[int], points: Sequence[Point], ranges: Sequence[Interval],
+        turning: frozenset[int], mutual: bool,
+    ) -> None:  # fmt: skip
+        self.program, self.lines, self.points, self.mutual = program, lines, points, mutual
+        self.turning, self.left = turning, WORK
+        self.ranges = ranges or [ALL] * (len(program.inputs) + len(program.operations) + len(program.literals))
+        self.operations = list(enumerate(program.operations, len(program.inputs)))
+        self.steep = any(slot in turning and name in EXPONENTIAL for slot, (name, _) in self.operations)
+        self.loose = set[int]()  # slots that stand on drawn numbers
+        for slot, (name, arguments) in self.operations:
+            if not self.loose.isdisjoint(arguments) or (name not in CHOOSING and self._is_drawn(name, slot)):
+                self.loose.add(slot)
+        self.operations.sort(key=lambda one: one[0] in self.loose)
+
+    def agree(self, runner: Runner) -> bool:
+        """Tell whether the two agree in every case; False where this is not shown.
+
+        Args:
+            runner: The program in balls of the first precision.
+        """
+        with precision(PRECISIONS[0]):
+            tail = [[value] * len(self.points) for value in runner.tail]
+            case = Case([*zip(*map(exactly, self.points), strict=True), *tail], [], [], [])
+            try:
+                return self._agree(0, case)
+            except (Unsettled, UndefinedError):
+                return False
+
+    def _agree(self, start: int, case: Case) -> bool:
+        """Go on with a case from an operation on, parted where a sign is open."""
+        for at in range(start, len(self.operations)):
+            slot, (name, arguments) = self.operations[at]
+            self._spend()
+            columns = [case.slots[argument] for argument in arguments]
+            chosen = self._choice(name, slot, arguments, case)
+            if chosen is not None:
+                below = self._below(chosen, case, name == "macaulay" and columns[1][0].is_zero())
+                if below is None:
+                    return all(self._agree(at + 1, case.where(chosen, way, slot)) for way in (False, True))
+                case.slots[slot] = chosen.values[below]
+            elif self._is_drawn(name, slot):
+                case.slots[slot] = self._drawn(name, slot, arguments, case)
+            else:
+                function = BALLS.function(name)
+                case.slots[slot] = list(map(function, *columns)) if columns else [function()] * len(self.points)
+        return self._equal(case)
+
+    def _spend(self) -> None:
+        self.left -= 1
+        if self.left < 0:
+            raise Unsettled
+
+    def _choice(self, name: str, slot: int, arguments: Sequence[int], case: Case) -> Choice | None:
+        """Give the two functions between which a function chooses; None where it does not."""
+        if name == "sqrt" and slot in self.turning:
+            return self._square(slot, case.slots[arguments[0]], case)
+        if name not in CHOOSING:
+            return None
+        one, ends = case.slots[arguments[0]], self.ranges[arguments[0]]
+        if name == "abs":
+            return Choice(one, ends, (one, [-x for x in one]))
+        if name == "sign":
+            thin = arguments[0] not in self.loose and not all(x.contains(0) for x in one)
+            return Choice(one, ends, ([arb(1)] * len(one), [arb(-1)] * len(one))) if thin else None
+        other = case.slots[arguments[1]]
+        if name == "macaulay":
+            values = [x**order for x, order in zip(one, other, strict=True)], [arb(0)] * len(one)
+            return Choice(one, ends, values) if arguments[1] < 0 else None
+        inside = [a - b for a, b in zip(one, other, strict=True)]
+        ends = INTERVALS.functions["-"](ends, self.ranges[arguments[1]])
+        return Choice(inside, ends, (one, other) if name == "max" else (other, one))
+
+    def _square(self, slot: int, radicand: Column, case: Case) -> Choice | None:
+        """Give the root of a multiple of a square as one of two functions."""
+        for at, column in enumerate(case.slots[: len(self.program.inputs) + len(self.operations)]):
+            if column[0] is None or column is radicand:
+                continue
+            factor = self._ratio(radicand, [x * x for x in column])
+            if factor is not None and factor > 0:
+                case.squares.append(slot)
+                root = [factor.sqrt() * x for x in column]
+                return Choice(column, self.ranges[at], (root, [-x for x in root]))
+        return None
+
+    def _below(self, chosen: Choice, case: Case, is_step: bool) -> bool | None:
+        """Tell whether what chooses is below zero, by its values on the box or by the case; None where both may be."""
+        if chosen.ends[0] >= 0 or chosen.ends[1] <= 0:
+            return chosen.ends[0] < 0
+        for known, below in case.signs:
+            factor = self._ratio(chosen.inside, known)
+            if factor is not None and factor > 0:
+                return below
+            if factor is not None and factor < 0:
+                if is_step:  # both steps are one where their argument vanishes
+                    raise Unsettled
+                return not below
+        return None
+
+    def _is_drawn(self, name: str, slot: int) -> bool:
+        return name in ALWAYS or (slot in self.turning and name not in POLES) or (self.steep and name in EXPONENTS)
+
+    def _drawn(self, name: str, slot: int, arguments: Sequence[int], case: Case) -> Column:
+        """Give the value of a function by a number that is drawn where it is met first."""
+        columns, kind = [case.slots[argument] for argument in arguments], SHIFTED.get(name, name)
+        if name == "^" and self.ranges[arguments[0]][0] > 0:
+            columns, kind, name = [[x.log() * power for x, power in zip(*columns, strict=True)]], "exponent", "exp"
+        elif name in EXPONENTS:
+            kind = "exponent"
+        found = self._known(kind, columns, case)
+        if found is None:
+            found = self._number(AROUND_ONE if kind == "exponent" or name in SHIFTED else self.ranges[slot], slot)
+            case.known.append(Known(kind, columns, found))
+            case.signs.extend([(found, False)] if name == "sqrt" else ())
+        if name in SHIFTED:
+            return [arb.pi() / 2 - x for x in found]
+        return [BALLS.function(name)(x) for x in found] if kind == "exponent" else found
+
+    def _known(self, kind: str, columns: Sequence[Column], case: Case) -> Column | None:
+        """Give the number of a function from that of another of its kind, if its arguments are multiples of those."""
+        for other, arguments, value in case.known:
+            if other == kind:
+                factors = [self._ratio(one, two) for one, two in zip(columns, arguments, strict=True)]
+                again = None if None in factors else _multiple(kind, factors, value)
+                if again is not None:
+                    return again
+        return None
+
+    def _number(self, values: Interval, slot: int) -> Column:
+        """Draw a number from some values for each point, as secret as the point."""
+        low, high = values
+        low = low if math.isfinite(low) else high - 1 if math.isfinite(high) else AROUND_ONE[0]
+        high = high if math.isfinite(high) else low + 1
+        shares = [(hash((point, slot)) % 2**52) / 2**52 for point in self.points]
+        return [arb(low + (high - low) * (0.1 + 0.8 * share)) for share in shares]
+
+    def _ratio(self, one: Column, other: Column) -> Any:
+        """Give the factor by which an argument is a multiple of another one; None where it is none."""
+        if one is other:
+            return arb(1)
+        self._spend()
+        factor = one[0] / other[0]
+        multiples = [factor * x for x in other]
+        if not (one[1] - multiples[1]).contains(0):
+            return None
+        same = all(zero(a, b, PRECISIONS[0]) is Finding.EQUAL for a, b in zip(one[1:], multiples[1:], strict=True))
+        return factor if same else None
+
+    def _equal(self, case: Case) -> bool:
+        """Tell whether the two agree where all is chosen, and end at the same places."""
+        right, typed = self.program.outputs
+        pairs = zip(case.slots[right], case.slots[typed], strict=True)
+        if right != typed and not all(_same(a, b) for a, b in pairs):
+            return False
+        one, other = needed(self.program, (right, *self.lines)), needed(self.program, (typed,))
+        return self._end_too(other - one, one, case) and (not self.mutual or self._end_too(one - other, other, case))
+
+    def _end_too(self, alone: set[int], others: set[int], case: Case) -> bool:
+        """Tell whether one side ends wherever the other does because of what stands in that alone."""
+        first = len(self.program.inputs)
+        places = [slot for slot in alone if slot >= first and slot not in case.squares and self._ends(slot, case)]
+        return all(any(self._ends_alike(slot, other, case) for other in others if other >= first) for slot in places)
+
+    def _ends(self, slot: int, case: Case) -> bool:
+        """Tell whether a slot may have no value on a stretch."""
+        name, arguments = self._operation(slot)
+        if name in POLES:
+            inside = arguments[-1]
+            if inside not in self.loose or (name == "/" and self._positive(inside)):
+                return False
+            return name != "/" or not side_of_zero(self.ranges[inside])
+        if slot not in self.turning or name in UNENDED or name.startswith("power"):
+            return False
+        low, high = self.ranges[arguments[0]]
+        return not (-1 <= low <= high <= 1 if name in ("asin", "acos") else low >= 0)
+
+    def _positive(self, slot: int) -> bool:
+        return slot >= len(self.program.inputs) and self._operation(slot)[0] in ("exp", "cosh")
+
+    def _operation(self, slot: int) -> Operation:
+        return self.program.operations[slot - len(self.program.inputs)]
+
+    def _ends_alike(self, slot: int, other: int, case: Case) -> bool:
+        """Tell whether two slots have no value at the same places."""
+        (name, one), (second, two) = self._operation(slot), self._operation(other)
+        kind = SHIFTED.get(name, name)
+        if SHIFTED.get(second, second) != kind and not (name in BEYOND and second in BEYOND):
+            return False
+        first = 1 if name == "/" else 0
+        factors = [self._ratio(case.slots[a], case.slots[b]) for a, b in zip(one[first:], two[first:], strict=True)]
+        if None in factors:
+            return False
+        return name == "/" or (factors[0] > 0 if name in BEYOND else _multiple(kind, factors, (arb(1),)) is not None)
+
+
+def _same(one: Any, other: Any) -> bool:
+    return zero(one, other, PRECISIONS[0]) is Finding.EQUAL or (one.is_zero() and other.is_zero())
+
+
+def _is_one(factor: Any) -> bool:
+    return zero(factor, arb(1), PRECISIONS[0]) is Finding.EQUAL
+
+
+MULTIPLES: Mapping[str, Callable[[Any, Any], Any]] = {  # f(k u) from k and f(u)
+    "exponent": lambda k, value: k * value,
+    "sqrt": lambda k, value: k.sqrt() * value if k > 0 else None,
+    "ln": lambda k, value: k.log() + value if k > 0 else None,
+    "sign": lambda k, value: value if k > 0 else -value if k < 0 else None,
+    "asin": lambda k, value: k * value if _is_one(abs(k)) else None,
+    "atan": lambda k, value: k * value if _is_one(abs(k)) else None,
+}
+
+
+def _multiple(kind: str, factors: Sequence[Any], value: Column) -> Column | None:
+    """Give a function of multiples of arguments from its number for these; None where it is another number."""
+    factor = factors[0]
+    if kind in MULTIPLES:
+        found = [MULTIPLES[kind](factor, x) for x in value]
+        return None if None in found else found
+    if kind == "atan2":
+        return value if factor > 0 and _is_one(factor / factors[1]) else None
+    return value if all(map(_is_one, factors)) else None

@@ -1,0 +1,84 @@
+"""Equality in every case of signs: what is shown without a search, and what must not be."""
+
+from __future__ import annotations
+
+import pytest
+
+from graders import Domain
+from graders.equality import Finding, between
+from graders.equality.cases import Cases
+from graders.language import parse_line
+from graders.language.program import Runner
+
+BOX = {"c": Domain(-2, 2), "r": Domain(1, 2), "x": Domain(0, 1), "y": Domain(0, 1), "z": Domain(-1, 1)}
+
+
+def found(a: str, b: str) -> set[Finding]:
+    one, other = parse_line(a), parse_line(b)
+    return {between(one, other, BOX, b"cases").finding, between(other, one, BOX, b"cases").finding}
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ("r*<z - x>^2", "r*(z - x)*<z - x>^1"),
+        ("abs(3*z - 3*x)", "3*abs(x - z)"),
+        ("max(z; x) + min(z; x)", "x + z"),
+        ("max(z; x) - min(z; x)", "sqrt((x - z)^2)"),
+        ("sqrt(4*c^2 + 4*z^2)", "2*sqrt(c^2 + z^2)"),
+        ("ln(3*x) - ln(x) + z", "ln(3) + z"),
+        ("sqrt(1 - sin(3*z)^2)", "abs(cos(3*z))"),
+        ("z*sign(z)", "abs(z)"),
+        ("acos(-z)", "pi/2 + asin(z)"),
+        ("exp(-900*x)*r", "r/exp(900*x)"),
+        ("atan2(2*z; 2*c)", "atan2(z; c)"),
+    ],
+)
+def test_what_is_equal_in_every_case_needs_no_search(a: str, b: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    said, agree = list[bool](), Cases.agree
+
+    def listened(self: Cases, runner: Runner) -> bool:
+        said.append(agree(self, runner))
+        return said[-1]
+
+    monkeypatch.setattr(Cases, "agree", listened)
+    assert found(a, b) == {Finding.EQUAL}
+    assert said == [True, True]
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ("sqrt(c^2*z^2)", "c*sqrt(z^2)"),
+        ("sqrt((z - 0.9999)^2)", "0.9999 - z"),
+        ("r + ln(z) - ln(z)", "r"),
+        ("r + 0*sqrt(z)", "r"),
+        ("r*sqrt(z)/sqrt(z)", "r"),
+        ("r + 0*asin(2*x)", "r"),
+        ("r + 0*<z>^1*ln(z + 0.9999)", "r"),
+        ("z*sqrt(1 - c^2/4)", "abs(z)*sqrt(1 - c^2/4)"),
+        ("atan2(-z; -c)", "atan2(z; c)"),
+        ("sqrt(-z)*sqrt(-c)", "sqrt(z*c)"),
+        ("ln(z^2*r)", "2*ln(z) + ln(r)"),
+        ("r*exp(-900*x)", "r*exp(-900*x*(1 + 1e-12))"),
+        ("max(z; c)", "max(z; c) + 1e-9*<z - 0.9999>^1"),
+    ],
+)
+def test_what_differs_in_one_case_is_found(a: str, b: str) -> None:
+    assert found(a, b) <= {Finding.DIFFERENT, Finding.UNDEFINED}
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ("sign(sqrt(z^2) - abs(z))^2", "1"),
+        ("<sqrt(z^2) - abs(z)>^0 + <abs(z) - sqrt(z^2)>^0", "1"),
+        ("r + 0/(sqrt(z^2) - abs(z))", "r"),
+        ("r + 0/(acos(cos(c)) - abs(c))", "r"),
+        ("r*(acos(cos(c)) - abs(c))/(acos(cos(c)) - abs(c))", "r"),
+        ("sign(acos(cos(c)) - abs(c))^2", "1"),
+        ("<acos(cos(c)) - abs(c)>^0 + <abs(c) - acos(cos(c))>^0", "1"),
+    ],
+)
+def test_what_hangs_on_a_hidden_zero_is_never_called_equal(a: str, b: str) -> None:
+    assert Finding.EQUAL not in found(a, b)
