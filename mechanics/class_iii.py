@@ -23,7 +23,7 @@ from mechanics.linkage import principal
 BRANCHES = {"++": (1, 1), "+-": (1, -1), "-+": (-1, 1), "--": (-1, -1)}
 DEAD_NAME = "two assemblies meet: the closure equations are singular"
 LENGTHS = ("l_AB", "l_BC", "l_BE", "l_CE", "l_CD", "l_EF", "l_EH", "l_FH", "l_FG", "l_HK")
-ROUNDING = 1e-13  # of Phi over the square of the size
+ROUNDING = 1e-13  # of a point's place over the longest length before it
 SAME = 1e-6  # rad: two zeros as near, with the same signs, are one
 ROUNDS, SETTLED = 30, 1e-13  # of Newton's method; its last step, rad
 
@@ -55,7 +55,7 @@ class Unit:
     sigma4: int = 1
     arm_C: complex = field(init=False, repr=False)  # EC in the axis EB
     arm_E: complex = field(init=False, repr=False)  # FE in the axis FH
-    size: float = field(init=False, repr=False)  # the longest length
+    size: float = field(init=False, repr=False)  # the longest length on the way to C
 
     def __post_init__(self) -> None:
         for name in ("A", "D", "G", "K"):
@@ -68,9 +68,8 @@ class Unit:
                 raise ValueError(f"{name} must be 1 or -1, not {getattr(self, name)!r}")
         chi2 = self.sigma2 * _corner("B-C-E", self.l_BE, self.l_CE, self.l_BC)
         chi4 = self.sigma4 * _corner("E-F-H", self.l_FH, self.l_EF, self.l_EH)
-        lengths = [getattr(self, name) for name in LENGTHS]
-        longest = max(*lengths, abs(self.A - self.D), abs(self.G - self.K), abs(self.A - self.G))
-        object.__setattr__(self, "size", longest)
+        lengths = [getattr(self, name) for name in LENGTHS if name != "l_CD"]
+        object.__setattr__(self, "size", max(*lengths, abs(self.G - self.K), abs(self.A - self.G)))
         object.__setattr__(self, "arm_C", self.l_CE * exp(1j * chi2))
         object.__setattr__(self, "arm_E", self.l_EF * exp(1j * chi4))
 
@@ -140,25 +139,31 @@ def _end_of_leg(unit: Unit, alpha5: float) -> complex:
 
 
 def _room(way: complex, arm: float, leg: float) -> float:
-    """The square of the triangle's height over the way, times that of the way; negative where it does not close."""
-    square = way.real * way.real + way.imag * way.imag
-    along = (arm * arm + square - leg * leg) / 2
-    return arm * arm * square - along * along
+    """The square of the triangle's height over the way, times that of the way; negative where it does not close.
+
+    By Heron's formula, in which nothing cancels when arm and leg are unlike.
+    """
+    d = abs(way)
+    return (leg - arm + d) * (leg + arm - d) * (arm + d - leg) * (arm + d + leg) / 4
+
+
+def _room_rounding(unit: Unit, arm: float, leg: float) -> float:
+    """What rounding of the way makes of the room where it is zero: there the way is no longer than arm and leg."""
+    return ROUNDING * unit.size * (arm + leg) ** 2 * min(arm, leg)
 
 
 def _direction(way: complex, arm: float, leg: float, sign: int) -> complex:
     """Direction of the arm whose end a leg ties to the end of the way: (2) and (5) without their arccos."""
-    square = way.real * way.real + way.imag * way.imag
-    along = (arm * arm + square - leg * leg) / 2
-    room = arm * arm * square - along * along
-    if not square:
+    d = abs(way)
+    if not d:
         return complex(1.0)  # arm and leg are equal and lie on one another: any direction closes
-    return way * complex(along, sign * sqrt(room) if room > 0 else 0.0) / (square * arm)
+    along, room = (arm * arm + (d - leg) * (d + leg)) / 2, _room(way, arm, leg)
+    return way * complex(along, sign * sqrt(room) if room > 0 else 0.0) / (d * d * arm)
 
 
 def _phi(unit: Unit, E: complex, e2: int) -> float:
     cut = E + unit.arm_C * _direction(unit.A - E, unit.l_BE, unit.l_AB, e2) - unit.D  # (7)
-    return cut.real * cut.real + cut.imag * cut.imag - unit.l_CD * unit.l_CD  # (8)
+    return (abs(cut) - unit.l_CD) * (abs(cut) + unit.l_CD)  # (8)
 
 
 def assemblies(unit: Unit) -> tuple[Assembly, ...]:
@@ -171,7 +176,7 @@ def assemblies(unit: Unit) -> tuple[Assembly, ...]:
         SingularError: The unit moves: Phi is zero along a whole branch (passive constraints).
     """
     found: list[Assembly] = []
-    rounding = ROUNDING * unit.size**4
+    rounding = _room_rounding(unit, unit.l_FH, unit.l_HK)
     for outer in _loops(lambda alpha5: _room(unit.K - _end_of_leg(unit, alpha5), unit.l_FH, unit.l_HK), rounding):
 
         def joint_E(t: float, outer: _Around = outer) -> tuple[float, complex]:
@@ -179,7 +184,8 @@ def assemblies(unit: Unit) -> tuple[Assembly, ...]:
             F = _end_of_leg(unit, alpha5)
             return alpha5, F + unit.arm_E * _direction(unit.K - F, unit.l_FH, unit.l_HK, e4)
 
-        for inner in _loops(lambda t: _room(unit.A - joint_E(t)[1], unit.l_BE, unit.l_AB), rounding):
+        limit = _room_rounding(unit, unit.l_BE, unit.l_AB)
+        for inner in _loops(lambda t: _room(unit.A - joint_E(t)[1], unit.l_BE, unit.l_AB), limit):
             found += _on_loop(unit, joint_E, inner)
     return tuple(sorted(found, key=lambda one: one.alpha5))
 
@@ -205,7 +211,7 @@ def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], arou
         t, e2 = around.at(s)
         return _phi(unit, joint_E(t)[1], e2)
 
-    for zero in _zeros(phi, ROUNDING * unit.size**2):
+    for zero in _zeros(phi, ROUNDING * max(unit.size, unit.l_CD) * unit.l_CD):
         t, e2 = around.at(zero.at)
         alpha5, E = joint_E(t)
         F = _end_of_leg(unit, alpha5)

@@ -18,6 +18,7 @@ Function = Callable[[float], float]
 
 CELLS = 90
 EVENLY = 0.5  # of the greatest bend that bends may be off a straight row
+LEVEL = 1e-9  # of its nearest value: a function that varies less does not come to zero, however it trembles
 CLEARLY = 2.0  # times its greatest bend that a function must rise from value to value to be taken as monotone
 NARROW = 1e-9  # a cell as narrow is not halved
 NEAR = 1e-6  # zeros as near to a tangency belong to it
@@ -80,6 +81,8 @@ def _known(function: Function, left: float, right: float, values: Values, roundi
     middle, narrow, nearest = (left + right) / 2, right - left < NARROW, min(sizes)
     if max(sizes) <= rounding:
         return [Zero(middle, True)]
+    if max(values) - min(values) < LEVEL * nearest:
+        return []
     bends = [before - 2 * here + after for before, here, after in zip(values, values[1:], values[2:], strict=False)]
     bend = max(abs(one) for one in bends)
     if not narrow and bend > rounding and abs(bends[0] - 2 * bends[1] + bends[2]) > EVENLY * bend:

@@ -62,6 +62,27 @@ def test_the_drawn_position_is_found_and_every_assembly_closes(seed: int) -> Non
         assert on_branch == pytest.approx(0, abs=1e-9)
 
 
+@pytest.mark.parametrize("field", ["D", "l_AB", "l_CD", "l_HK"])
+@pytest.mark.parametrize("scale", [1e3, 1e6])
+def test_a_length_in_the_wrong_unit_closes_nowhere_and_does_not_count_as_moving(field: str, scale: float) -> None:
+    assert assemblies(unit(**{field: scale * getattr(unit(), field)})) == ()
+
+
+@pytest.mark.parametrize(("leg", "pivot"), [("l_CD", "D"), ("l_AB", "A"), ("l_FG", "G"), ("l_HK", "K")])
+def test_the_end_of_a_very_long_leg_moves_as_on_a_straight_line(leg: str, pivot: str) -> None:
+    """The longer the leg, the nearer are all assemblies to those of the line; none is lost on the way there."""
+
+    def ends(length: float) -> list[complex]:
+        one = unit(**{pivot: 1900 + length + 955j, leg: length + 500})
+        found = assemblies(one)
+        assert max(abs(gap) for each in found for gap in gaps(one, each)) < 1e-12 * length + 1e-9
+        return sorted((each.E for each in found), key=lambda E: E.imag)
+
+    near, far = ends(1e7), ends(1e8)
+    assert len(near) >= 8
+    assert far == pytest.approx(near, abs=2.0)  # mm
+
+
 def polynomial(one: Unit) -> np.ndarray:
     """The product of the four branches, without their roots of squares: degree 18 in z = exp(i alpha5).
 
