@@ -13,7 +13,7 @@ from itertools import accumulate, pairwise
 from math import fsum, pi, sqrt
 from typing import Literal, get_args
 
-from mechanics.checks import finite, place, positive
+from mechanics.checks import finite, in_range, place, positive
 
 BarSupport = Literal["fixed_free", "free_fixed", "fixed_fixed", "fixed_gap"]
 ROUNDING = 1e-12  # of the length: a printed place this near to an end of a segment is at that end
@@ -147,7 +147,7 @@ def solve(bar: Bar) -> BarResult:
     left = 0.0 if bar.support == "free_fixed" else -_total(bar) - right
     pieces = tuple(_piece(stretch, N + right) for stretch, N in zip(stretches, outer, strict=True))
     found = BarResult(BarReactions(left, right), pieces, _shifts(bar, places, pieces), closed)
-    finite("the sum of the answers", found.sigma_abs_max + fsum(shift.u for shift in found.u), "")
+    in_range(found.sigma_abs_max + fsum(shift.u for shift in found.u))
     return found
 
 

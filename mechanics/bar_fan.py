@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import combinations
 from math import cos, fsum, hypot, pi, sin
 
-from mechanics.checks import finite, positive
+from mechanics.checks import finite, in_range, positive
 from mechanics.errors import UnstableError
 
 # A fan whose stiffness across its bars is this part of that along them moves freely across.
@@ -68,7 +68,7 @@ def solve(bars: Sequence[FanBar], Fx: float, Fy: float) -> FanResult:
     ux = fsum(k * s * (x * s - y * c) for k, c, s, _ in stiff) / determinant
     uy = fsum(k * c * (y * c - x * s) for k, c, s, _ in stiff) / determinant
     forces = tuple(-k * (ux * c + uy * s + free) for k, c, s, free in stiff)
-    finite("the sum of the answers", hypot(ux, uy) + fsum(map(abs, forces)), "")
+    in_range(hypot(ux, uy) + fsum(map(abs, forces)))
     return FanResult(forces, ux, uy)
 
 

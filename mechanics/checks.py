@@ -27,6 +27,19 @@ def positive(name: str, value: float, unit: str) -> None:
         raise ValueError(f"{name} = {value} {unit}".rstrip() + " must be positive and finite")
 
 
+def in_range(total: float) -> None:
+    """Refuse an answer beyond the range of floats, such as follows from numbers of 1e308 or 1e-308.
+
+    Args:
+        total: Sum of all numbers of the answer that may be.
+
+    Raises:
+        ValueError: The sum is NaN or infinite.
+    """
+    if not abs(total) <= _LARGEST:
+        raise ValueError("on the way to the answer a number leaves the range of floats")
+
+
 def place(name: str, x: float, length: float) -> None:
     """Refuse a place outside a member that runs from 0 to its length, in metres.
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from math import fsum, pi
 
-from mechanics.checks import finite, positive
+from mechanics.checks import finite, in_range, positive
 from mechanics.errors import UnbalancedError
 from mechanics.members import Segment, Shaft, Torque
 from mechanics.section import Ring
@@ -104,7 +104,7 @@ def solve(shaft: Shaft) -> ShaftResult:
     reactions, torques = _torques(shaft, places, twists)
     pieces = tuple(map(_piece, pairwise(places), rings, torques, twists))
     phi = _rotations(shaft, places, [piece.twist for piece in pieces])
-    finite("the sum of the answers", sum([turn.phi for turn in phi]) + sum([piece.tau_max for piece in pieces]), "")
+    in_range(sum([turn.phi for turn in phi]) + sum([piece.tau_max for piece in pieces]))
     return ShaftResult(
         reactions,
         pieces,

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import cos, sin
 
 from mechanics import four_bar, slider_crank
-from mechanics.checks import finite, positive
+from mechanics.checks import finite, in_range, positive
 from mechanics.linkage import LinkageMotion, Singular
 
 
@@ -56,6 +56,7 @@ def solve(
     positive("bar l5", l5, "m")
     finite("h6", h6, "m")
     alpha2, alpha3, omega2, omega3, epsilon2, epsilon3 = four_bar.motion(l1, l2, l3, l4, alpha1, omega1, epsilon1, mode)
+    in_range(alpha3 + omega3 + epsilon3)
     alpha5, s6, omega5, v6, epsilon5, p6 = slider_crank.motion(l3, l5, alpha3, omega3, epsilon3, h6, branch)
     first = Singular(abs(sin(alpha3 - alpha2)), four_bar.DEAD_NAME)
     return LinkageMotion(

@@ -125,12 +125,14 @@ def _load(load: Mapping[str, Any], L: float) -> Load:
         return Force(_place(load["x"], L), load["F"])
     if load["type"] == "moment":
         return Moment(_place(load["x"], L), load["M"])
-    return Distributed(load["x1"], _place(load["x2"], L), load["w1"], load["w2"])
+    return Distributed(_place(load["x1"], L), _place(load["x2"], L), load["w1"], load["w2"])
 
 
 def _place(x: float, L: float) -> float:
-    """A place that misses the right end by a rounding is there: three times 0.1 is more than 0.3."""
-    return L if L < x <= L * (1 + ROUNDING) else x
+    """A place that misses an end by a rounding is there: three times 0.1 is more than 0.3."""
+    if L < x <= L * (1 + ROUNDING):
+        return L
+    return 0.0 if -L * ROUNDING <= x < 0 else x
 
 
 def _extremes(found: BeamResult) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from mechanics.gear_train import solve as solve_train
 from mechanics.rack import Rack
 from mechanics.screw import Hand, Screw
 from mechanics.wire.fields import Choice, ListOf, MapOf, Number, Record, Text, Whole
-from mechanics.wire.refusal import Refusal, below, shown
+from mechanics.wire.refusal import Refusal, below_foreign, shown
 from mechanics.worm import Worm
 
 LARGEST = 40  # members
@@ -111,7 +111,7 @@ def solve(request: Mapping[str, Any]) -> dict[str, Any]:
     """Solve the train; raises ValueError."""
     for name in request["input_omega"]:
         if name not in request["members"]:
-            at = below("input_omega", name)
+            at = below_foreign("input_omega", name)
             raise Refusal("unknown_field", f"there is no field {at}: {shown(name)} is not a member", at)
     found = solve_train(_train(request))
     omega = {"omega": found.omega, "omega_exact": {name: str(speed) for name, speed in found.omega_exact.items()}}

@@ -10,7 +10,7 @@ import json
 from collections import Counter
 from typing import Any
 
-from mechanics.wire.refusal import Refusal, below, shown
+from mechanics.wire.refusal import Refusal, below_foreign, shown
 
 LARGEST = 64 * 1024  # bytes of a request
 _DIGITS = 20  # of a whole number; a longer one is read as a float
@@ -52,10 +52,11 @@ def distinct(found: Any, place: str = "") -> None:
         Refusal: `repeated_field`.
     """
     if isinstance(found, Repeated):
-        raise Refusal("repeated_field", f"{below(place, found.name)} stands twice", below(place, found.name))
+        at = below_foreign(place, found.name)
+        raise Refusal("repeated_field", f"{at} stands twice", at)
     inner = found.items() if isinstance(found, dict) else enumerate(found) if isinstance(found, list) else ()
     for name, value in inner:
-        distinct(value, below(place, str(name)))
+        distinct(value, below_foreign(place, str(name)))
 
 
 def is_json(raw: bytes) -> bool:

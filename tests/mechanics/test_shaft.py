@@ -163,7 +163,7 @@ def test_free_shaft_without_torques_is_at_rest() -> None:
         (lambda: required_diameter_stiffness(1.0, 1.0, -1.0), r"theta_allow = -1\.0 rad/m"),
         (lambda: required_diameter_stiffness(1.0, 1.0, 1.0, 1.0), r"bore ratio 1\.0 must be at least 0 and below 1"),
         (lambda: solve(Shaft(G, (Segment(1.0, 1e-90),), ())), r"torsional stiffness G J_p = 0\.0 N m\^2"),
-        (lambda: solve(Shaft(G, (Segment(1.0, 1e-60),), (Torque(1.0, 1e200),))), "must be finite"),
+        (lambda: solve(Shaft(G, (Segment(1.0, 1e-60),), (Torque(1.0, 1e200),))), "range of floats"),
     ],
 )
 def test_impossible_size_is_refused_by_name(call: object, reason: str) -> None:

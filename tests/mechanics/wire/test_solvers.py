@@ -209,3 +209,37 @@ def test_a_place_that_misses_the_end_by_a_rounding_is_the_end() -> None:
     found = answered("beam", request)
     assert found["reactions"][1] == {"x": 0.3, "Fy": pytest.approx(7 + 9 * 0.15), "M": 0.0}
     assert found["samples"][0]["x"] == 0.3 and found["samples"][0]["v"] == pytest.approx(0, abs=1e-18)
+
+
+def test_a_place_that_misses_the_start_by_a_rounding_is_the_start() -> None:
+    less = 0.3 - 3 * 0.1  # -5.6e-17
+    request = {
+        "L": 0.3, "E": 2e11, "I": 1e-8, "sample_x": [less], "supports": [{"x": less, "type": "fixed"}],
+        "loads": [{"type": "dist", "x1": less, "x2": 0.3, "w1": -9, "w2": -9}, {"type": "moment", "x": less, "M": 2}],
+    }  # fmt: skip
+    found = answered("beam", request)
+    assert found["reactions"] == [{"x": 0.0, "Fy": pytest.approx(2.7), "M": pytest.approx(0.3 * 2.7 / 2 - 2)}]
+    assert found["samples"][0]["x"] == 0.0
+    assert code("beam", request | {"sample_x": [-1e-6]}) == "out_of_range"
+
+
+@pytest.mark.parametrize(
+    ("name", "request_"),
+    [
+        ("beam", {"L": 1e-300, "E": 2e11, "I": 1e-6, "supports": [{"x": 0, "type": "fixed"}]}),
+        ("bar", {"segments": [{"L": 0.5, "A": 5e-324, "E": 2e11}], "forces": [{"x": 0.5, "F": 100}]}),
+        ("shaft", {"G": 8e10, "segments": [{"L": 1, "D": 1e-60}], "torques": [{"x": 1, "T": 1e200}]}),
+        ("linkage", {"kind": "two_loop", "l1": 0.3, "l2": 0.5, "l3": 0.2, "l4": 1e308, "l5": 1, "h6": 0, "alpha1": 1}),
+    ],
+)
+def test_a_refusal_shows_no_number_that_nobody_sent(name: str, request_: dict[str, Any]) -> None:
+    refused = answered(name, request_)["error"]
+    assert refused["code"] == "out_of_range"
+    assert "leaves the range of floats" in refused["message"] and "nan" not in refused["message"]
+
+
+def test_a_refusal_is_one_line_whatever_the_names() -> None:
+    refused = answered("gear_train", {"members": ["1"], "input_omega": {"a\nb": 1}})["error"]
+    assert refused["code"] == "unknown_field" and "\n" not in refused["message"]
+    with pytest.raises(Refusal, match=r"vars\.c\\nd stands twice"):
+        reading.distinct(reading.read(b'{"vars": {"c\\nd": 1, "c\\nd": 2}}'))
