@@ -14,6 +14,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[0] = str(ROOT)  # else benchmarks/http.py would stand before the library's http
 
 import argparse  # noqa: E402
+import gc  # noqa: E402
 import time  # noqa: E402
 from collections.abc import Iterator  # noqa: E402
 from datetime import UTC, datetime, timedelta  # noqa: E402
@@ -49,6 +50,7 @@ NOW = datetime(2026, 11, 28, 12, tzinfo=UTC)
 ANSWERS = ("alpha2", "l3", "omega2_formula", "omega2", "v3")
 SHOWN = {"en": {"answers": {name: {"weight": 1.0} for name in ANSWERS}}}
 EVERY = 20  # every so many submissions one is marked by hand
+OPEN = 50  # every so many one has an answer that is left to the lecturer
 TARGET = 0.5  # s
 
 
@@ -99,11 +101,13 @@ def _work(slot: str, at: int, person: str, lecturer: str) -> Iterator[tuple[Tabl
         yield submissions, handed | sums | {"time": received}
         right = [(at + place) % (3 if attempt == 1 else 5) != 0 for place in range(len(ANSWERS))]
         codes = ["right" if one else "wrong" for one in right]
+        left = (at + attempt) % OPEN == 0
+        codes[0] = "undecided" if left else codes[0]
         verdicts = {
             n: {"score": float(c == "right"), "code": c, "details": None} for n, c in zip(ANSWERS, codes, strict=True)
         }
         grade = {"verdicts": verdicts, "score": sum(right) / len(right), "mistake": None, "slip": None, "counted": True,
-                 "provisional": False, "grader_version": "1"}  # fmt: skip
+                 "provisional": left, "grader_version": "1"}  # fmt: skip
         given = {"submission": receipt, "grader_version": "1", "grade": grade, "counted": True, "time": received}
         yield grades, given
         yield attempts, {"variant": variant, "number": attempt, "submission": receipt}
@@ -147,6 +151,8 @@ def main() -> None:
         classes = {n: fill(settings.store_url, n, asked.tasks) for n in (few, asked.students)}
         bearer = {"authorization": f"Bearer {tokens.issue('administrator', secret_of(settings.store_url))}"}
         with TestClient(create_app(settings), headers=bearer) as client:
+            gc.collect()
+            gc.freeze()  # as the server does when it has started
             for name, path in (
                 ("gradebook", "/api/v1/task-sets/{}/gradebook"), ("page", "/sets/{}/results"),
                 ("progress", "/api/v1/task-sets/{}/progress"),

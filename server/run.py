@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from socket import socket
@@ -67,6 +68,8 @@ class Announced(uvicorn.Server):
     async def startup(self, sockets: list[socket] | None = None) -> None:
         """Listen, then say so."""
         await super().startup(sockets)
+        gc.collect()
+        gc.freeze()  # what is loaded stays: no later collection need walk through it
         if self.started:
             print(f"Grübler listens at {self.address}", flush=True)
         if self.started and self.first:

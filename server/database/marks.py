@@ -20,6 +20,8 @@ CARD = (
     deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,
     deck.c.turn, deck.c.dealt,
 )  # fmt: skip
+# What may hold an answer that was left open: what did not count may be all undecided, or our fault.
+DOUBTFUL = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean())
 
 
 class Marks:
@@ -54,16 +56,19 @@ class Marks:
         """List the cards that were opened in a set, by slot and turn."""
         query = _within(select(*CARD), task_set, person).where(deck.c.variant.is_not(None))
         ordered = query.order_by(slots.c.number, deck.c.turn)
-        return await self._connections.read(lambda connection: [DealtCard(*row) for row in connection.execute(ordered)])
+        return await self._connections.read(
+            lambda connection: [DealtCard(*row) for row in connection.execute(ordered).all()]
+        )
 
     async def lines(self, task_set: str, person: str | None = None) -> Sequence[Line]:
         """List the submissions to a set in the order received, with the verdicts of those alone that need them."""
         return await self._connections.read(lambda connection: _lines(connection, task_set, person))
 
-    async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
-        """List what was handed in to a set in the order received."""
-        query = _within(select(submissions).join(deck, deck.c.variant == submissions.c.variant), task_set, person)
-        return [Handed(**row) for row in await self._rows(query.order_by(submissions.c.time, submissions.c.receipt))]
+    async def handed(self, task_set: str, person: str | None = None, *, doubtful: bool = False) -> Sequence[Handed]:
+        """List what was handed in to a set in the order received; where asked, only what may hold an open answer."""
+        query = _graded(select(submissions), task_set, person)
+        chosen = query.where(DOUBTFUL) if doubtful else query
+        return [Handed(**row) for row in await self._rows(chosen.order_by(submissions.c.time, submissions.c.receipt))]
 
     async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:
         """List the drafts of a student in a set."""
@@ -84,7 +89,7 @@ class Marks:
 
     async def _rows(self, query: Select[Any]) -> Sequence[Mapping[str, Any]]:
         return await self._connections.read(
-            lambda connection: [dict(row) for row in connection.execute(query).mappings()]
+            lambda connection: [dict(row) for row in connection.execute(query).mappings().all()]
         )
 
 
@@ -94,18 +99,17 @@ def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any
 
 
 def _lines(connection: Connection, task_set: str, person: str | None) -> list[Line]:
-    """Read the score of each submission, and the whole grade where some answer is marked or may be left open: what did
-    not count may be all undecided or our fault."""
+    """Read the score of each submission, and the whole grade where some answer is marked or may be left open."""
     marked = submissions.c.receipt.in_(select(marks.c.submission).where(marks.c.answer.is_not(None)))
-    needed = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean(), marked)
+    whole_grade = case((or_(DOUBTFUL, marked), grades.c.grade))
     light = select(
         deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-        case((needed, grades.c.grade)), grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
+        whole_grade, grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
     )  # fmt: skip
     query = _graded(light, task_set, person).outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
     found = [
         Line(slot, who, variant, receipt, at, whole or {"score": score, "verdicts": {}}, counted, attempt)
-        for slot, who, variant, receipt, at, whole, score, counted, attempt in connection.execute(query)
+        for slot, who, variant, receipt, at, whole, score, counted, attempt in connection.execute(query).all()
     ]
     return sorted(
         found, key=lambda line: (line.time, line.receipt)

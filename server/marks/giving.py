@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Annotated
@@ -12,7 +12,7 @@ from pydantic import Field, StrictInt
 from server import audit, ids
 from server.bench import Bench
 from server.errors import Refused, printable
-from server.marks.counting import by_submission, left_open
+from server.marks.counting import Given, by_submission, left_open
 from server.people import Strict, themselves
 from server.reader import Reader
 from server.receipts import whole
@@ -94,9 +94,13 @@ async def _is_open(bench: Bench, marked: Marked, answer: str | None) -> bool:
 async def waiting(bench: Bench, task_set: TaskSet) -> list[Left]:
     """List what the lecturer has still to settle in a set, equal texts together."""
     marks = by_submission(await bench.marks.of(task_set.id))
-    lines = await bench.marks.lines(task_set.id)
+    return await waiting_in(bench, task_set, await bench.marks.lines(task_set.id), marks)
+
+
+async def waiting_in(bench: Bench, task_set: TaskSet, lines: Sequence[Line], marks: Mapping[str, Given]) -> list[Left]:
+    """List what is still to be settled in submissions that were read already, given the marks by hand."""
     opened = [(line, name) for line in lines for name in left_open(line, marks.get(line.receipt, {}))]
-    handed = {one.receipt: one for one in await bench.marks.handed(task_set.id)} if opened else {}
+    handed = {one.receipt: one for one in await bench.marks.handed(task_set.id, doubtful=True)} if opened else {}
     numbers = {slot.id: slot.number for slot in task_set.slots}
     found: dict[tuple[int, str, str, str], list[Line]] = {}
     for line, name in opened:

@@ -118,10 +118,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Gradebook:
-    """The students of a set by group and name."""
+    """The students of a set by group and name, and what it was computed from."""
 
     task_set: TaskSet
     rows: tuple[Row, ...]
+    material: Material
 
     @property
     def worth(self) -> float:
@@ -202,7 +203,7 @@ def computed(found: Material) -> Gradebook:
     rows = [
         _row(found, member, group, dealt.get(member.person.id, []), lines, rules) for member, group in found.students
     ]
-    return Gradebook(found.task_set, tuple(rows))
+    return Gradebook(found.task_set, tuple(rows), found)
 
 
 def _grouped(lines: Iterable[Line]) -> dict[tuple[str, str], list[Line]]:

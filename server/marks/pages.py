@@ -51,7 +51,7 @@ class Summary:
 async def show_results(task_set: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show the points of a class in a set, and what is left to the lecturer."""
     found = await gradebook.gradebook(bench, await set_of(bench, reader, task_set))
-    left = await giving.waiting(bench, found.task_set)
+    left = await giving.waiting_in(bench, found.task_set, found.material.lines, found.material.marks)
     context = {
         "book": found,
         "summary": summary(found),
