@@ -41,6 +41,7 @@ from tests.server.stores import free_port  # noqa: E402
 EXERCISE = "slider_crank"
 HOSTILE = ("9^9^9^9", "(" * 5000, "sin(" * 400 + "1", "1e999999999 m", "<script>alert(1)</script>", "l1" * 4000)
 CLASS = 60
+LOOK = 0.5  # s between two looks at a set that is being published
 AT_ONCE = 16  # requests at once while the ground is prepared
 OK = range(200, 300)
 
@@ -100,8 +101,9 @@ async def _answer(reader: asyncio.StreamReader) -> tuple[int, str, bytes]:
 
 @dataclass(frozen=True)
 class Course:
-    """The course, its set, and the browsers of its people."""
+    """The course, its set, and the browsers of its people; `server` is the number of the server's process."""
 
+    server: int
     port: int
     environment: Environment
     lecturer: Browser
@@ -114,8 +116,12 @@ class Course:
         body = {"course": COURSE, "title": "Set", "items": [item], "due": due}
         status, built = await self.lecturer.ask("POST", "/api/v1/task-sets", body)
         assert status == 201, built
-        status, opened = await self.lecturer.ask("POST", f"/api/v1/task-sets/{built['id']}/open", {}, lasts=600.0)
-        assert status == 200, opened
+        path = f"/api/v1/task-sets/{built['id']}"
+        status, opened = await self.lecturer.ask("POST", f"{path}/open", {})
+        while status == 202 or opened["state"] == "publishing":
+            await asyncio.sleep(LOOK)
+            status, opened = await self.lecturer.ask("GET", path)
+        assert opened["state"] == "published", opened
         return str(built["id"])
 
     async def dealt(self, task_set: str) -> dict[str, str]:
@@ -129,7 +135,7 @@ class Course:
         return dict(await some_at_once(opened, self.students))
 
 
-def people(environment: Environment, port: int, students: int) -> Course:
+def people(environment: Environment, server: int, port: int, students: int) -> Course:
     """Write a course into the store, everybody signed in."""
     url, now = settings(environment).store_url, datetime.now(UTC)
     names = [f"student{number}" for number in range(students)]
@@ -147,7 +153,7 @@ def people(environment: Environment, port: int, students: int) -> Course:
         connection.execute(insert(sessions), rows)
     store.dispose()
     browsers = {name: Browser(port, f"grubler_session={cookie}") for name, cookie in cookies.items()}
-    return Course(port, environment, browsers.pop("lecturer"), browsers)
+    return Course(server, port, environment, browsers.pop("lecturer"), browsers)
 
 
 async def some_at_once(work: Callable[[str], Awaitable[Any]], names: Iterable[str]) -> list[Any]:
@@ -186,6 +192,7 @@ async def deadline(course: Course, task_set: str, within: float, chance: random.
         browser.seconds.clear()
         browser.statuses.clear()
     kept: dict[str, Any] = {}
+    busy = cpu(course.server)
 
     async def hand_in(student: str) -> None:
         await asyncio.sleep(chance.uniform(0, within))
@@ -195,6 +202,7 @@ async def deadline(course: Course, task_set: str, within: float, chance: random.
             kept[student] = body
 
     await asyncio.gather(*(hand_in(student) for student in course.students))
+    busy = cpu(course.server) - busy
     seconds, statuses = collected(course.students.values())
 
     async def lost(student: str) -> bool:
@@ -206,6 +214,7 @@ async def deadline(course: Course, task_set: str, within: float, chance: random.
     return [
         f"deadline: {len(variants)} students within {within:g} s, answered {told(statuses)}",
         f"deadline: acknowledged and graded after {percentiles(seconds)}",
+        f"deadline: {1e3 * busy / len(seconds):.1f} ms of a processor for each in the server",
         f"deadline: lost {missing} of {len(kept)} acknowledged",
     ]
 
@@ -264,6 +273,12 @@ def collected(browsers: Iterable[Browser]) -> tuple[list[float], Counter[int]]:
     return sorted(seconds), statuses
 
 
+def cpu(process: int) -> float:
+    """Tell how many seconds of a processor a process has used."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def percentiles(seconds: list[float]) -> str:
     """Word the median and the slow end."""
     named = {"p50": 0.5, "p95": 0.95, "p99": 0.99}
@@ -276,10 +291,10 @@ def told(statuses: Counter[int]) -> str:
     return ", ".join(f"{count} x {status}" for status, count in sorted(statuses.items()))
 
 
-async def run(environment: Environment, port: int, given: argparse.Namespace) -> list[str]:
+async def run(environment: Environment, server: int, port: int, given: argparse.Namespace) -> list[str]:
     """Run the three parts in turn."""
     chance = random.Random(given.seed)
-    course = people(environment, port, given.students)
+    course = people(environment, server, port, given.students)
     figures = await deadline(course, await course.publish(), given.within, chance)
     figures += await lesson(course, given.lesson, given.learners, chance)
     return figures + await classroom(port)
@@ -296,8 +311,8 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     given, port = parser.parse_args(), free_port()
     before = os.getloadavg()[0]
-    with stores(given.store) as (environment,), serving(environment, port):
-        figures = asyncio.run(run(environment, port, given))
+    with stores(given.store) as (environment,), serving(environment, port) as server:
+        figures = asyncio.run(run(environment, server, port, given))
     print(f"store {given.store}; load average {before:.1f} before, {os.getloadavg()[0]:.1f} after")
     print("\n".join(figures))
     sys.exit(0 if any("lost 0 of" in line for line in figures) else 1)

@@ -54,8 +54,8 @@ def settings(environment: Environment) -> Settings:
 
 
 @contextmanager
-def serving(environment: Environment, port: int) -> Iterator[None]:
-    """Run a server as people run it, until it is told to end."""
+def serving(environment: Environment, port: int) -> Iterator[int]:
+    """Run a server as people run it, until it is told to end; gives the number of its process."""
     Path(environment["GRUBLER_DATA_DIR"]).mkdir(exist_ok=True)
     command = [sys.executable, "-m", "cli.main", "serve", "--port", str(port)]
     server = subprocess.Popen(
@@ -63,7 +63,7 @@ def serving(environment: Environment, port: int) -> Iterator[None]:
     )
     try:
         wait_for(server, port)
-        yield
+        yield server.pid
     finally:
         server.terminate()
         server.wait()

@@ -147,10 +147,10 @@ async def check(variant: str, request: Request, bench: Tools, reader: Asking) ->
     body = ids.digest(form.raw)
     key = form.values.get(forms.KEY, "")[:32]
     once = ids.digest(key.encode(), body.encode()) if key else None  # another answer on the same page is a new one
-    marked, _ = await submit(bench, reader, variant, typed, once, body)
+    done = await submit(bench, reader, variant, typed, once, body)
     section = form.values.get("section", "")
     place = f"&section={section}#section-{section}" if section in map(str, range(1, SECTIONS + 1)) else "#result"
-    return RedirectResponse(f"/variants/{dealt.id}?receipt={marked.handed.receipt}{place}", 303)
+    return RedirectResponse(f"/variants/{dealt.id}?receipt={done.marked.handed.receipt}{place}", 303)
 
 
 @router.post("/variants/{variant}/preview")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Annotated
 
@@ -22,6 +24,7 @@ from server.reader import Asking, Reader, admit
 from server.receipts import GRADE, whole
 from server.sets import handing
 from server.storage import Answers, Dealt, Marked
+from server.storage.marks import Mark
 from server.storage.sets import Line, Place
 from server.typed import Typed
 from server.variants import GONE, restored, sees, visible
@@ -103,10 +106,11 @@ async def hand_in(
 ) -> Graded:  # fmt: skip
     """Hand in answers. With a key, the same request again gives the first response and stores nothing."""
     body = ids.digest(await request.body())
-    marked, replayed = await submit(bench, reader, variant, new.answers, idempotency_key, body)
-    if replayed:
+    done = await submit(bench, reader, variant, new.answers, idempotency_key, body)
+    if done.around is None:
         response.status_code = 200
-    return await graded(bench, marked, marked.handed.language)
+        return await graded(bench, done.marked, done.marked.handed.language)
+    return worded(done.marked, done.around, done.marked.handed.language)
 
 
 @router.get("/submissions/{receipt}", responses=GONE | {422: {"model": Failure}})
@@ -116,9 +120,26 @@ async def show_submission(receipt: str, bench: Tools, reader: Asking) -> Graded:
     return await graded(bench, marked, reader.language, staff=reader.owner_id != marked.handed.owner)
 
 
-async def submit(
-    bench: Bench, reader: Reader, number: str, answers: Answers, key: str | None, body: str
-) -> tuple[Marked, bool]:
+@dataclass(frozen=True, slots=True)
+class Around:
+    """What a submission is seen with: its variant where a slip is named, its place in a set, the marks on it by hand,
+    and whether the exercise still leads to what was kept of its card."""
+
+    dealt: Dealt | None
+    place: Place | None
+    marks: Sequence[Mark] = ()
+    sound: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """What stands under a key; what is around it unless it had been there before."""
+
+    marked: Marked
+    around: Around | None
+
+
+async def submit(bench: Bench, reader: Reader, number: str, answers: Answers, key: str | None, body: str) -> Done:
     """Grade and store a submission.
 
     Args:
@@ -128,9 +149,6 @@ async def submit(
         answers: The answers as typed.
         key: Idempotency key.
         body: Digest of the request, compared when the key comes again.
-
-    Returns:
-        What is stored under the key, and whether it had been there before.
 
     Raises:
         Refused: The variant is not this reader's, or an answer is not asked for.
@@ -145,15 +163,19 @@ async def submit(
     if place is not None:
         before = await _before(bench, place, dealt, key, body, received)
         if before is not None:
-            return before, True
-    task = Submission(restored(dealt), whole(answers))
+            return Done(before, None)
+    task, sound = Submission(restored(dealt), whole(answers)), True
     try:
-        grade = await (handing.judge(bench, place, task) if place else bench.judging.grade(task, bench.secret))
+        if place is not None:
+            grade, sound = await handing.judge(bench, place, task)
+        else:
+            grade = await bench.judging.grade(task, bench.secret)
     except grading.UnknownAnswer as error:
         raise Refused(422, "unknown_answer", field=f"answers.{printable(error)}", name=printable(error)) from None
     handed = receipts.handed(dealt.id, dealt.owner.id, answers, key, body, reader.language, received)
     marked = receipts.marked(handed, grade, dealt.code)
-    return await (handing.keep(bench, place, marked) if place else bench.storage.keep_submission(marked))
+    kept, replayed = await (handing.keep(bench, place, marked) if place else bench.storage.keep_submission(marked))
+    return Done(kept, None if replayed else Around(dealt, place, sound=sound))
 
 
 async def _before(
@@ -186,13 +208,24 @@ async def receipted(bench: Bench, reader: Reader, receipt: str) -> Marked:
 
 async def graded(bench: Bench, marked: Marked, language: str, *, staff: bool = False) -> Graded:
     """Word a stored grade in a language; what an examination holds back, its student does not see."""
-    grade, handed = GRADE.validate_python(marked.grade), marked.handed
+    handed, named = marked.handed, marked.grade["mistake"] or marked.grade.get("slip")
+    dealt = await bench.storage.variant(handed.variant) if named else None
     place = await bench.sets.place(handed.variant) if marked.code else None
+    if place is None:
+        return worded(marked, Around(dealt, None), language, staff=staff)
+    marks, sound = await bench.marks.on(handed.receipt), await bench.judging.run(handing.reproduced, place.card)
+    return worded(marked, Around(dealt, place, marks, sound), language, staff=staff)
+
+
+def worded(marked: Marked, around: Around, language: str, *, staff: bool = False) -> Graded:
+    """Word a stored grade, seen with what is around it."""
+    grade, handed, place = GRADE.validate_python(marked.grade), marked.handed, around.place
     held = place is not None and not staff and handing.is_held(place, datetime.now(UTC))
     hinted = not held and (place is None or staff or handing.rules_of(place.task_set).hints)
-    dealt = await bench.storage.variant(handed.variant) if hinted and (grade.mistake or grade.slip) else None
+    told = hinted and (grade.mistake or grade.slip)
+    hints = presenting.hints(restored(around.dealt), grade, language) if told and around.dealt else ()
     verdicts = {name: one for name, one in grade.verdicts.items() if not held or one.code is Code.UNREADABLE}
-    marks = await bench.marks.on(handed.receipt) if place is not None and not held else ()
+    marks = () if held else around.marks
     line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted, None)
     given = counting.by_submission(marks).get(handed.receipt, counting.NONE)
     return Graded(
@@ -201,9 +234,9 @@ async def graded(bench: Bench, marked: Marked, language: str, *, staff: bool = F
         repeated=grade.counted and not marked.counted,
         provisional=not held and bool(counting.left_open(line, given)),
         held=held,
-        needs_regrade=place is not None and not await bench.judging.run(handing.reproduced, place.card),
+        needs_regrade=not around.sound,
         verdicts={name: judged(verdict, language) for name, verdict in verdicts.items()},
-        hints=list(presenting.hints(restored(dealt), grade, language)) if dealt else [],
+        hints=list(hints),
         by_hand=[ByHand(answer=one.answer, share=one.share, comment=one.comment, time=one.time) for one in marks],
         receipt=Receipt(id=handed.receipt, time=handed.time, digest=handed.digest),
         variant=handed.variant,

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from sqlalchemy import Connection, func, insert, select
+from sqlalchemy import Connection, bindparam, func, insert, select
 
 from server.database.practice import keep_submission
 from server.storage import Marked
 from server.storage.sets import Line, NoAttemptLeft, Waiting
 from server.tables import attempts, deck, drafts, grades, slots, submissions, task_sets
+
+PLACE = select(deck.c.slot, deck.c.person).where(deck.c.variant == bindparam("variant"))
+MINE = deck.c.slot == bindparam("slot"), deck.c.person == bindparam("person")
+SHARING = select(deck.c.id).where(*MINE).order_by(deck.c.id).with_for_update()
+TAKEN = select(func.count()).select_from(attempts).join(deck, deck.c.variant == attempts.c.variant).where(*MINE)
 
 
 def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
@@ -17,13 +22,11 @@ def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Mar
         NoAttemptLeft: The attempts of the slot are used up.
     """
     variant = marked.handed.variant
-    slot, person = _locked(connection, variant)
+    mine = _locked(connection, variant)
     stored, replayed = keep_submission(connection, marked)
     if replayed:
         return stored, True
-    mine = deck.c.slot == slot, deck.c.person == person
-    taken = select(func.count()).select_from(attempts).join(deck, deck.c.variant == attempts.c.variant).where(*mine)
-    number = connection.execute(taken).scalar_one()
+    number = connection.execute(TAKEN, mine).scalar_one()
     if limit is not None and number >= limit:
         raise NoAttemptLeft(variant)
     if stored.counted:
@@ -32,12 +35,11 @@ def keep(connection: Connection, marked: Marked, limit: int | None) -> tuple[Mar
     return stored, False
 
 
-def _locked(connection: Connection, variant: str) -> tuple[str, str]:
+def _locked(connection: Connection, variant: str) -> dict[str, str]:
     """Give the slot and the student of a card, and lock all cards that share its attempts: the replaced ones too."""
-    slot, person = connection.execute(select(deck.c.slot, deck.c.person).where(deck.c.variant == variant)).one()
-    theirs = select(deck.c.id).where(deck.c.slot == slot, deck.c.person == person).order_by(deck.c.id)
-    connection.execute(theirs.with_for_update()).all()
-    return slot, person
+    mine = dict(connection.execute(PLACE, {"variant": variant}).mappings().one())
+    connection.execute(SHARING, mine).all()
+    return mine
 
 
 def ledger(connection: Connection, number: str, person: str | None) -> list[Line]:

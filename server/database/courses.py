@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from functools import partial
 
-from sqlalchemy import Connection, Select, case, delete, exists, func, insert, or_, select, update
+from sqlalchemy import Connection, Select, bindparam, case, delete, exists, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
 from server.database.audit import noting
@@ -19,6 +19,9 @@ from server.storage.courses import LEFT, Change, Course, Group, Member, Row
 from server.tables import courses, deck, groups, memberships, persons, slots, submissions, task_sets
 
 STAFF = ("assistant", "lecturer")
+COURSE = select(courses).where(courses.c.id == bindparam("number"))
+MINE = memberships.c.course == bindparam("course"), memberships.c.person == bindparam("person")
+ROLE = select(memberships.c.role).where(*MINE)
 
 
 class Courses:
@@ -33,7 +36,7 @@ class Courses:
 
     async def course(self, number: str) -> Course | None:
         """Give a course."""
-        return await self._one(select(courses).where(courses.c.id == number))
+        return await self._one(COURSE, {"number": number})
 
     async def by_code(self, code: str) -> Course | None:
         """Give the course that is joined by a code."""
@@ -48,9 +51,8 @@ class Courses:
 
     async def role(self, course: str, person: str) -> str | None:
         """Give the role of a person in a course."""
-        mine = memberships.c.course == course, memberships.c.person == person
-        query = select(memberships.c.role).where(*mine)
-        return await self._connections.read(lambda connection: connection.execute(query).scalar_one_or_none())
+        mine = {"course": course, "person": person}
+        return await self._connections.read(lambda connection: connection.execute(ROLE, mine).scalar_one_or_none())
 
     async def elsewhere(self, lecturer: str, person: str) -> bool:
         """Tell whether a person is in a course that a lecturer does not lecture, or came to none of the lecturer's."""
@@ -129,8 +131,8 @@ class Courses:
             return await self._connections.read(lambda connection: plan(connection, course, rows))
         return await self._connections.write(lambda connection: apply_roster(connection, course, rows, now, actor))
 
-    async def _one(self, query: Select[tuple[object, ...]]) -> Course | None:
-        row = await self._connections.read(lambda connection: connection.execute(query).mappings().first())
+    async def _one(self, query: Select[tuple[object, ...]], values: Mapping[str, str] | None = None) -> Course | None:
+        row = await self._connections.read(lambda connection: connection.execute(query, values).mappings().first())
         return Course(**row) if row else None
 
 

@@ -47,11 +47,6 @@ def of_student(connection: Connection, number: str, person: str) -> list[Card]:
     return [Card(**row) for row in connection.execute(query).mappings()]
 
 
-def of_variant(connection: Connection, variant: str) -> Card | None:
-    """Give the card that was dealt as a variant."""
-    return _one(connection, select(deck).where(deck.c.variant == variant))
-
-
 def begun(connection: Connection, number: str, person: str) -> datetime | None:
     """Tell when a student first opened a set."""
     mine = slots.c.task_set == number, deck.c.person == person

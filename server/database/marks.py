@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Select, case, func, insert, or_, select
+from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, select
 
 from server.database.audit import noting
 from server.database.connections import Connections
@@ -22,6 +22,8 @@ CARD = (
 )  # fmt: skip
 # What may hold an answer that was left open: what did not count may be all undecided, or our fault.
 DOUBTFUL = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean())
+
+ON = select(marks).where(marks.c.submission == bindparam("receipt")).order_by(marks.c.id)
 
 
 class Marks:
@@ -42,8 +44,7 @@ class Marks:
 
     async def on(self, receipt: str) -> Sequence[Mark]:
         """List the marks on a submission in the order given."""
-        query = select(marks).where(marks.c.submission == receipt).order_by(marks.c.id)
-        return [_mark(row) for row in await self._rows(query)]
+        return [_mark(row) for row in await self._rows(ON, {"receipt": receipt})]
 
     async def weights(self, task_set: str, person: str | None = None) -> Mapping[str, Mapping[str, float]]:
         """Give the weights of the answers of those variants in a set of which some answer is marked."""
@@ -87,9 +88,9 @@ class Marks:
         opened = _within(query, task_set, None).where(deck.c.variant.is_not(None)).group_by(deck.c.person)
         return [Progress(**row) for row in await self._rows(opened)]
 
-    async def _rows(self, query: Select[Any]) -> Sequence[Mapping[str, Any]]:
+    async def _rows(self, query: Select[Any], values: Mapping[str, str] | None = None) -> Sequence[Mapping[str, Any]]:
         return await self._connections.read(
-            lambda connection: [dict(row) for row in connection.execute(query).mappings().all()]
+            lambda connection: [dict(row) for row in connection.execute(query, values).mappings().all()]
         )
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import ColumnElement, Connection, RowMapping, delete, func, insert, or_, select, update
+from sqlalchemy import ColumnElement, Connection, RowMapping, bindparam, delete, func, insert, or_, select, update
 
 from server.database.audit import note, noting
 from server.database.connections import Connections
@@ -15,6 +15,12 @@ from server.database.once import insert_once
 from server.storage.audit import Action, Entry
 from server.storage.people import Link, Person, Session, Token
 from server.tables import api_tokens, links, memberships, owners, persons, sessions
+
+SESSION = (
+    select(sessions, persons)
+    .join(persons, sessions.c.person == persons.c.id)
+    .where(sessions.c.digest == bindparam("digest"))
+)
 
 
 class People:
@@ -194,8 +200,7 @@ def _set_password(connection: Connection, number: str, password: str, keep: str)
 
 
 def _session(connection: Connection, digest: str) -> tuple[Session, Person] | None:
-    query = select(sessions, persons).join(persons, sessions.c.person == persons.c.id)
-    row = connection.execute(query.where(sessions.c.digest == digest)).mappings().first()
+    row = connection.execute(SESSION, {"digest": digest}).mappings().first()
     if row is None:
         return None
     return Session(**{column.name: row[column] for column in sessions.columns}), person_of(row)

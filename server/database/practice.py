@@ -39,6 +39,13 @@ MARKED: Select[Any] = (
     .join(grades)
     .outerjoin(deck, deck.c.variant == submissions.c.variant)
 )
+COUNTED = (
+    select(submissions.c.answers)
+    .join(grades)
+    .where(submissions.c.variant == bindparam("variant"), grades.c.counted)
+    .order_by(submissions.c.time.desc())
+    .limit(EARLIER)
+)
 TOUCH = update(variants).where(variants.c.id == bindparam("number")).values(last_used=bindparam("time"))
 
 
@@ -166,9 +173,7 @@ def keep_submission(connection: Connection, marked: Marked) -> tuple[Marked, boo
 
 def _counted(connection: Connection, variant: str) -> list[Answers]:
     """Give the newest answers to a variant that counted."""
-    mine = submissions.c.variant == variant, grades.c.counted
-    query = select(submissions.c.answers).join(grades).where(*mine).order_by(submissions.c.time.desc()).limit(EARLIER)
-    return list(connection.execute(query).scalars())
+    return list(connection.execute(COUNTED, {"variant": variant}).scalars())
 
 
 def _columns(handed: Handed) -> dict[str, Any]:

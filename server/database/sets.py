@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from datetime import datetime
 from functools import partial
 
-from sqlalchemy import Connection, Select, delete, exists, func, insert, select, update
+from sqlalchemy import Connection, Select, bindparam, delete, exists, func, insert, select, update
 
 from server.database import attempts, deck
 from server.database.audit import note, noting
@@ -17,6 +17,20 @@ from server.storage.audit import Entry
 from server.storage.sets import DRAFT, PUBLISHED, Card, DeadlinesMoved, Line, NotADraft, Place, Slot, TaskSet, Waiting
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
+
+SLOTS = select(slots).where(slots.c.task_set == bindparam("number")).order_by(slots.c.number)
+GIVEN, OPENED, AMONG = accommodations.c, cards.alias().c, slots.alias().c
+EXTRA = GIVEN.task_set == task_sets.c.id
+THEIRS = OPENED.slot == AMONG.id, AMONG.task_set == task_sets.c.id, OPENED.person == cards.c.person
+PLACE = (
+    select(
+        cards, task_sets,
+        select(GIVEN.minutes).where(EXTRA, GIVEN.person == cards.c.person).scalar_subquery().label("extra"),
+        select(func.max(GIVEN.minutes)).where(EXTRA).scalar_subquery().label("most"),
+        select(func.min(OPENED.dealt)).where(*THEIRS).scalar_subquery().label("begun"),
+    )
+    .join_from(cards, slots).join(task_sets).where(cards.c.variant == bindparam("variant"))
+)  # fmt: skip
 
 
 class Sets:
@@ -190,15 +204,14 @@ def _sets(connection: Connection, query: Select[tuple[object, ...]]) -> list[Tas
 
 
 def _place(connection: Connection, variant: str) -> Place | None:
-    card = deck.of_variant(connection, variant)
-    if card is None:
+    row = connection.execute(PLACE, {"variant": variant}).mappings().first()
+    if row is None:
         return None
-    number = select(slots.c.task_set).where(slots.c.id == card.slot).scalar_subquery()
-    (found,) = _sets(connection, select(task_sets).where(task_sets.c.id == number))
-    slot = next(slot for slot in found.slots if slot.id == card.slot)
-    assert card.person is not None  # a card that is dealt is somebody's
-    begun = deck.begun(connection, found.id, card.person)
-    return Place(found, slot, card, _extra(connection, found.id, card.person), begun, _most_extra(connection, found.id))
+    card = Card(**{column.name: row[column] for column in cards.columns})
+    own = {column.name: row[column] for column in task_sets.columns}
+    theirs = tuple(map(deck.slot_of, connection.execute(SLOTS, {"number": own["id"]}).mappings()))
+    slot = next(slot for slot in theirs if slot.id == card.slot)
+    return Place(TaskSet(**own, slots=theirs), slot, card, row["extra"] or 0, row["begun"], row["most"] or 0)
 
 
 def _reserved(connection: Connection, exercise: str, now: datetime) -> bool:

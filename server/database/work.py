@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from sqlalchemy import ColumnElement, Connection, and_, func, insert, or_, select, update
+from sqlalchemy import ColumnElement, Connection, and_, bindparam, func, insert, or_, select, update
 
 from server.storage import Answers, Draft, Problem
 from server.tables import deck, drafts, memberships, owners, problems, slots, task_sets, variants
+
+CLOSE = update(drafts).where(drafts.c.variant == bindparam("of")).values(revision=drafts.c.revision + 1)
 
 
 def draft(connection: Connection, variant: str) -> Draft | None:
@@ -31,9 +33,8 @@ def keep_draft(connection: Connection, new: Draft) -> tuple[Draft, bool]:
 
 def close_draft(connection: Connection, variant: str, answers: Answers, time: datetime) -> None:
     """Let what is handed in be the draft from now on: one that was sent before and arrives later is typed over none."""
-    mine = update(drafts).where(drafts.c.variant == variant)
     values = {"answers": dict(answers), "time": time}
-    if connection.execute(mine.values(**values, revision=drafts.c.revision + 1)).rowcount == 0:
+    if connection.execute(CLOSE, values | {"of": variant}).rowcount == 0:
         connection.execute(insert(drafts), values | {"variant": variant, "revision": 1})
 
 

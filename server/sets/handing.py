@@ -16,6 +16,7 @@ from graders import Code
 from server import ids, receipts
 from server.bench import Bench
 from server.errors import Refused
+from server.judging import graded
 from server.language import DEFAULT, say
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, share, solution_open, window
@@ -143,16 +144,23 @@ def faulty(marked: Marked) -> bool:
     return codes == {Code.FAULT.value}
 
 
-async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bool = False) -> Grade:
+async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bool = False) -> tuple[Grade, bool]:
     """Grade answers to a card: by what was kept of it, with the score it has under the rules of the set.
 
     Where attempts are limited an unreadable answer stops the judging, unless the `whole` is to be judged.
+
+    Returns:
+        The grade, and whether the installed exercise still leads to what was kept.
     """
     limited = place.slot.attempts is not None and not whole
-    sound = await bench.judging.run(reproduced, place.card)
-    kept = () if sound else verifying.kept(place.card.reference)
-    grade = await bench.judging.grade(submission, bench.secret, limited=limited, kept=kept)
-    return replace(grade, score=share(grade.verdicts, weights_of(place.card), rules_of(place.task_set)))
+    grade, sound = await bench.judging.run(_judged, place.card, submission, bench.secret, limited)
+    return replace(grade, score=share(grade.verdicts, weights_of(place.card), rules_of(place.task_set))), sound
+
+
+def _judged(card: Card, submission: Submission, secret: bytes, limited: bool) -> tuple[Grade, bool]:
+    sound = reproduced(card)
+    kept = () if sound else verifying.kept(card.reference)
+    return graded(submission, secret, limited=limited, kept=kept), sound
 
 
 def weights_of(card: Card) -> dict[str, float]:
@@ -223,7 +231,7 @@ def _over(place: Place, typed: datetime, now: datetime) -> bool:
 async def _take(bench: Bench, place: Place, draft: Waiting) -> None:
     """Hand in a draft with the time at which it was last typed; what can be read is judged, whatever stands beside."""
     card = place.card
-    grade = await judge(bench, place, Submission(variant_of(card), receipts.whole(draft.answers)), whole=True)
+    grade, _ = await judge(bench, place, Submission(variant_of(card), receipts.whole(draft.answers)), whole=True)
     key = f"time-out {draft.time.isoformat()}"
     handed = receipts.handed(draft.variant, draft.person, draft.answers, key, key, DEFAULT, draft.time)
     await keep(bench, place, receipts.marked(handed, grade, card.code))
