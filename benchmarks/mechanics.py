@@ -2,7 +2,8 @@
 
 Run: ``uv run python benchmarks/mechanics.py [CHAPTER …]``; with the peers: ``uv run --extra peers python …``.
 Rounds of ours and of the peers alternate, so that a busy machine slows all; times are of this process alone. A peer
-that is not installed is named as left out. The last line is the import time of every module of `mechanics`.
+that is not installed is named as left out. Then come the import time of every module of `mechanics` and, where no
+chapter is named, the figures of `benchmarks/laws.py`: residuals over a cycle, random machines, worked examples.
 """
 
 from __future__ import annotations
@@ -19,8 +20,10 @@ import subprocess  # noqa: E402
 import time  # noqa: E402
 from collections.abc import Iterator  # noqa: E402
 from importlib import import_module  # noqa: E402
+from itertools import chain  # noqa: E402
 from statistics import median  # noqa: E402
 
+from benchmarks import laws  # noqa: E402
 from benchmarks.solvers.row import Row, Task  # noqa: E402
 
 CHAPTERS = sorted(
@@ -93,13 +96,17 @@ def main() -> None:
     """Measure the chapters and print."""
     reader = argparse.ArgumentParser(description="Measure the reference solvers beside their peers.")
     reader.add_argument("chapters", nargs="*", metavar="CHAPTER", help=f"some of {', '.join(CHAPTERS)}; else all")
-    chosen = reader.parse_args().chapters or CHAPTERS
+    asked = reader.parse_args().chapters
     gc.disable()
-    for chapter in chosen:
+    for chapter in asked or CHAPTERS:
         print(f"{chapter}:")
         for row in import_module(f"benchmarks.solvers.{chapter}").ROWS:
             print(*measured(row), sep="\n", flush=True)
     print(import_time())
+    if not asked:
+        gc.enable()
+        for line in chain([laws.examples()], laws.cycles(), laws.random_machines()):
+            print(line, flush=True)
 
 
 if __name__ == "__main__":
