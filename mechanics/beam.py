@@ -1,5 +1,5 @@
-"""Bending of a straight beam: reactions, V, M, deflection and their exact extremes, by initial parameters
-(domain SM-11 to SM-14, SM-17).
+"""Bending of a straight beam: reactions, shear force V, bending moment M, deflection and their exact extremes, by
+initial parameters (domain SM-11 to SM-14, SM-17).
 
 Axis x from the left end, y and v positive up. V(x) = sum of the upward forces left of x; M > 0 sags;
 EI v'' = M, theta = v' (counter-clockwise). Forces and distributed loads positive up, couples positive

@@ -13,7 +13,7 @@ from mechanics.section import Section
 
 
 def normal_stress(M: float, y: float, section: Section) -> float:
-    """Return the stress (Pa, tension positive) at a height y (m, up) under a moment M (N m).
+    """Return the bending stress (Pa, tension positive) at a height y (m, up) under a moment M (N m).
 
     Raises:
         ValueError: A value is not finite.

@@ -69,7 +69,7 @@ def pair_matrix(theta: float, d: float, a: float, alpha: float, convention: Conv
 
 
 def pose(chain: Chain, q: Sequence[float]) -> Matrix:
-    """Multiply the pair matrices: T = A_1 A_2 ... A_n, ``(4, 4)``.
+    """Multiply the pair matrices (forward kinematics): T = A_1 A_2 ... A_n, ``(4, 4)``.
 
     Args:
         chain: The table.

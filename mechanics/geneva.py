@@ -1,4 +1,4 @@
-"""Geneva drive with outer slots (domain TR-9).
+"""Geneva drive (Maltese cross) with outer slots (domain TR-9).
 
 The crank angle alpha1 is counted from the line of centres, the wheel angle phi from the same line in the sense in
 which the wheel turns, opposite to the crank: both are zero where pin, crank pivot and wheel centre are in line.

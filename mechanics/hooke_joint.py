@@ -1,4 +1,4 @@
-"""Cardan (Hooke's) joint and the double Cardan shaft (domain TR-7, TR-8).
+"""Cardan (Hooke's, universal) joint and the double Cardan shaft (domain TR-7, TR-8).
 
 gamma1 is counted from the position in which the cross arm of the driving fork lies in the plane of the two shafts,
 gamma2 from the position it then has; both in the sense of rotation. beta is the angle between the shafts, in radians.

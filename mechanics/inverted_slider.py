@@ -2,6 +2,7 @@
 
 Crank pivot at the origin, crank pin B = l1 e(alpha1). A guide turns about its frame pivot O and always passes through
 B; phi is the direction from O to B, s their distance. Angles counter-clockwise from +X. Closure: O + s e(phi) = B.
+The slide moves along a guide that turns, so B has the Coriolis acceleration 2 ds/dt omega across the guide.
 """
 
 from __future__ import annotations
@@ -43,7 +44,8 @@ def solve(
         SingularError: The crank pin is on the pivot of the guide, whose direction is not determined there.
 
     Source:
-        Domain VP-1: v = l1 w1 sin(phi - a1), w = l1 w1 cos(phi - a1)/s; the accelerations by (2.6).
+        Domain VP-1: v = l1 w1 sin(phi - a1), w = l1 w1 cos(phi - a1)/s; the accelerations by (2.6), across
+        the guide s epsilon + 2 v w, the last the Coriolis acceleration.
     """
     _check(l1, alpha1, omega1, epsilon1, (*guide_pivot, guide_point_distance))
     pivot_x, pivot_y = guide_pivot

@@ -86,7 +86,7 @@ def next_motion(
         acceleration: Joint axis times the second rate of its variable.
 
     Source:
-        Domain DH-8.
+        Domain DH-8; behind a slide, 2 omega x rate is the Coriolis acceleration.
     """
     omega, epsilon = before.omega, before.epsilon
     if joint == "R":

@@ -2,6 +2,7 @@
 
 The base is the origin; the running direction starts along +X. A joint R turns the running direction and is followed by
 its fixed link along it; a joint P adds a slide along the running direction turned by delta. Angles counter-clockwise.
+A slide on a link that turns gives the Coriolis acceleration 2 L' w across it.
 """
 
 from __future__ import annotations

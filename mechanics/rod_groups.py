@@ -87,7 +87,7 @@ def partials(group: str, lengths: Lengths, q: Sequence[float]) -> Slopes:
 
 
 def inverse(group: str, lengths: Lengths, M: Vector) -> Solutions:
-    """Find all joint variables that carry M to a point.
+    """Find all joint variables that carry M to a point (inverse kinematics).
 
     Args:
         group: Word over R and P, as for `table`.

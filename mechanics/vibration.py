@@ -54,7 +54,7 @@ class Oscillator:
 
     @property
     def peak(self) -> float | None:
-        """The frequency of the largest amplitude under a force, rad/s; None when strongly damped."""
+        """Resonance: the frequency of the largest amplitude under a force, rad/s; None when strongly damped."""
         square = self.omega0**2 - 2 * self.n**2
         return sqrt(square) if square > 0 else None
 
@@ -80,7 +80,7 @@ class Shaken:
 
 
 def force(oscillator: Oscillator, F0: float, omega: float) -> Forced:
-    """Find the steady answer to a harmonic force.
+    """Find the steady answer to a harmonic force: amplitude, phase, transmissibility.
 
     Args:
         oscillator: Mass, spring, damper.

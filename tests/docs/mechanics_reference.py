@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "reference" / "mechanics.md"
@@ -33,8 +33,9 @@ compares the two. SI units, angles in radians; each module states its sign conve
 is raised as a `ValueError` that names the value (`mechanics.errors`). The same solvers without Python:
 [solvers.md](solvers.md).
 
-To find something, search this page for the thing itself: deflection, planetary, counterweight. The first table has a
-row a module; below it, each module has a row a function: what it does, and the source of its formula.
+To find something, search this page for the thing itself: deflection, planetary, Coriolis. The first table has a row a
+module; below it, each module has a row a function and a row for what a class can tell: what it is, and the source of
+its formula.
 """
 
 
@@ -61,6 +62,19 @@ def functions(module: ModuleType) -> list[Callable[..., object]]:
     )
 
 
+def members(module: ModuleType) -> dict[str, FunctionType]:
+    """Give the properties and methods with a docstring of the public classes a module defines, as `Class.name`."""
+    found: dict[str, FunctionType] = {}
+    for name, kind in vars(module).items():
+        if not inspect.isclass(kind) or kind.__module__ != module.__name__ or name.startswith("_"):
+            continue
+        for own, one in vars(kind).items():
+            told = one.fget if isinstance(one, property) else one
+            if isinstance(told, FunctionType) and told.__doc__ and not own.startswith("_"):
+                found[f"{name}.{own}"] = told
+    return found
+
+
 def _index(grouped: dict[str, list[ModuleType]]) -> Iterator[str]:
     yield from ("| what | module |", "|---|---|")
     for found in grouped.values():
@@ -72,9 +86,9 @@ def _section(title: str, found: list[ModuleType]) -> Iterator[str]:
     yield from (f"## {title}", "")
     for module in found:
         yield from (f"### {_name(module)}", "", " ".join((module.__doc__ or "").split()), "")
-        if rows := functions(module):
+        if rows := {one.__name__: one for one in functions(module)} | members(module):
             yield from ("| function | what | source |", "|---|---|---|")
-            yield from (f"| `{one.__name__}` | {_cell(_what(one))} | {_cell(_source(one))} |" for one in rows)
+            yield from (f"| `{name}` | {_cell(_what(one))} | {_cell(_source(one))} |" for name, one in rows.items())
             yield ""
 
 

@@ -59,6 +59,14 @@ def test_each_public_function_of_the_mechanics_room_says_what_it_does() -> None:
         ("assur", "assur"),
         ("base excitation", "vibration"),
         ("torsion shaft", "shaft"),
+        ("coriolis acceleration", "inverted_slider"),
+        ("coriolis acceleration", "manipulator"),
+        ("von mises", "stress"),
+        ("second moment area", "section"),
+        ("bending moment", "beam"),
+        ("resonance", "vibration"),
+        ("inverse kinematics", "rod_groups"),
+        ("universal joint", "hooke_joint"),
     ],
 )
 def test_a_reader_finds_a_solver_by_what_it_is_for(words: str, module: str) -> None:
