@@ -31,6 +31,7 @@ MOST_ITEMS = 20
 LONGEST_NAME = 40
 LONGEST_TEXT = 10_000  # characters; the answer language reads fewer and says so with the place
 SHOWN = 60
+NUMBERS = (int, float)
 NOTHING = Symbols(())
 
 
@@ -58,6 +59,7 @@ class Request:
         b: The texts that are compared with it.
         box: Least and greatest value of each symbol that has a range.
         fixed: Symbols whose range is one value, with its formula.
+        symbols: The declared symbols, ready to read with.
         solve_for: The unknowns.
         rtol: The tolerance of a quantity over the size of `a`.
     """
@@ -67,13 +69,9 @@ class Request:
     b: tuple[str, ...]
     box: Mapping[str, tuple[float, float]]
     fixed: Mapping[str, Tree]
+    symbols: Symbols
     solve_for: tuple[str, ...] = ()
     rtol: float = 0.0
-
-    @property
-    def symbols(self) -> Symbols:
-        """Give the declared symbols."""
-        return Symbols([*self.box, *self.fixed])
 
 
 def read(request: Mapping[str, Any]) -> Request:
@@ -89,13 +87,14 @@ def read(request: Mapping[str, Any]) -> Request:
     for name in (*NEEDED, *(field for field in KINDS[kind] if field == "solve_for")):
         if name not in request:
             raise BadRequest("missing_field", f"{name} is missing", name)
-    box, fixed = _vars(request.get("vars", {}))
+    box, fixed, symbols = _vars(request.get("vars", {}))
     return Request(
         kind,
         _texts(request["a"], "a", kind),
         _texts(request["b"], "b", kind),
         box,
         fixed,
+        symbols,
         _solve_for(request.get("solve_for"), kind, box),
         _rtol(request.get("rtol", 0)),
     )
@@ -150,14 +149,14 @@ def _solve_for(value: Any, kind: str, box: Mapping[str, Any]) -> tuple[str, ...]
 
 
 def _rtol(value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, bool) or not isinstance(value, NUMBERS):
         raise _wrong_type("rtol", value, "a number")
     if not (math.isfinite(value) and 0 <= value < 1):
         raise BadRequest("out_of_range", f"rtol = {shown(value)} must be from 0 to below 1", "rtol")
     return float(value)
 
 
-def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
+def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree], Symbols]:
     if not isinstance(value, dict):
         raise _wrong_type("vars", value, "an object of names and ranges")
     if len(value) > MOST_VARS:
@@ -168,16 +167,15 @@ def _vars(value: Any) -> tuple[dict[str, tuple[float, float]], dict[str, Tree]]:
             raise BadRequest("unknown_symbol", f"{_below(name)}: this is no name of a symbol", _below(name))
         if not isinstance(bounds, list) or len(bounds) != 2:
             raise _wrong_type(_below(name), bounds, "a list of its least and its greatest value")
-        (low, least), (high, _) = (_bound(bound, name) for bound in bounds)
+        low, high = _bound(bounds[0], name), _bound(bounds[1], name)
         if low > high:
             said = f"{_below(name)}: the least value {low!r} is above the greatest {high!r}"
             raise BadRequest("out_of_range", said, _below(name))
         if low == high:
-            fixed[name] = least
+            fixed[name] = _exactly(bounds[0])
         else:
             box[name] = low, high
-    _require_distinct(value)
-    return box, fixed
+    return box, fixed, _symbols(value)
 
 
 def _below(name: str) -> str:
@@ -193,22 +191,22 @@ def _is_name(name: str) -> bool:
     return [token.kind for token in tokens] == ["name", "end"] and tokens[0].text == name
 
 
-def _require_distinct(found: Mapping[str, Any]) -> None:
+def _symbols(found: Mapping[str, Any]) -> Symbols:
     try:
-        Symbols(found)
+        return Symbols(found)
     except ValueError as error:
         raise BadRequest("contradictory", f"vars: {error}", "vars") from None
 
 
-def _bound(value: Any, name: str) -> tuple[float, Tree]:
+def _bound(value: Any, name: str) -> float:
     """Read a bound: a number, or a text with a constant expression."""
     if isinstance(value, str):
         found = _constant(value)
         if isinstance(found, str):
             code, _, said = found.partition(" ")
             raise BadRequest(code, f"{_below(name)}: the bound {shown(value)} {said}", _below(name))
-        return found
-    if isinstance(value, bool) or not isinstance(value, int | float):
+        return found[0]
+    if isinstance(value, bool) or not isinstance(value, NUMBERS):
         raise _wrong_type(_below(name), value, "two constant expressions")
     try:
         number = float(value)
@@ -216,9 +214,19 @@ def _bound(value: Any, name: str) -> tuple[float, Tree]:
         number = math.inf
     if not math.isfinite(number):
         raise BadRequest("not_finite", f"{_below(name)}: the bound {shown(value)} must be finite", _below(name))
+    return number
+
+
+def _exactly(value: Any) -> Tree:
+    """Give a bound that was read as a formula."""
+    if isinstance(value, str):
+        found = _constant(value)
+        assert not isinstance(found, str)
+        return found[1]
+    number = float(value)
     digits, _, power = repr(abs(number)).partition("e")
     tree: Tree = Number(digits, int(power or "0"))
-    return number, Unary("-", tree) if number < 0 else tree
+    return Unary("-", tree) if number < 0 else tree
 
 
 @lru_cache(maxsize=2048)

@@ -79,7 +79,7 @@ class Pair:
 
     __slots__ = (
         "_early", "_once", "_rows", "_turned", "balls", "builder", "lines", "most_turns", "mutual", "points", "program",
-        "searched", "states", "turning",
+        "searched", "smooth", "states", "turning",
     )  # fmt: skip
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool, most_turns: int = MOST_TURNS) -> None:
@@ -88,7 +88,9 @@ class Pair:
         lines = _needed(self.states.lines, reference.tree, answer)
         self.lines = tuple([builder.define(name, line) for name, line in lines])
         self.program: Program = builder.program(builder.add(reference.tree), builder.add(answer))
-        self.turning = any(name in TURNING for name, _ in builder.operations)
+        functions = {name for name, _ in builder.operations}
+        self.turning = not TURNING.isdisjoint(functions)
+        self.smooth = not self.turning and not any(map(may_be_steep, functions))
         self.balls = Balls(self.program, mutual, self.lines)
         self._once = False
         self._early: Comparison | None = None
@@ -104,12 +106,14 @@ class Pair:
         return self._turned
 
     def _look(self) -> Turned:
+        if self.smooth:
+            return Turned(self.program, [], frozenset(), [], frozenset())
         right, typed = self.program.outputs
-        found = turns(self.builder, (right, *self.lines), typed) if self.turning else []
-        slots = list[Interval]()
-        if self.states.box and (found or any(may_be_steep(name) for name, _ in self.program.operations)):
+        found, slots = turns(self.builder, (right, *self.lines), typed) if self.turning else [], list[Interval]()
+        if self.states.box:
             found, slots = open_turns(self._with(found), self.states.box, found)
-        functions = turning(self.builder, len(self.program.operations), {turn.slot for turn in found})
+        opened = {turn.slot for turn in found}
+        functions = turning(self.builder, len(self.program.operations), opened) if opened else frozenset[int]()
         if len(found) > self.most_turns:
             self.searched, found = False, found[: self.most_turns]
         return Turned(self._with(found), found, functions, slots, steep(self.program, slots))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from graders.language.symbols import FUNCTIONS, Symbols, function_named
 from graders.language.tree import Binary, Call, Grid, Number, Relation, Tree, Unary, order_exists
@@ -128,15 +129,9 @@ class _Reader:
         if piece == "<":
             return self.macaulay()
         if piece[0].isdecimal():
-            return self.number(piece)
+            return _number(piece)
         known = piece in self.nodes or not piece[0].isalpha()
         return (None if known else self.symbols.node(piece)) or self.call(function_named(piece))
-
-    def number(self, piece: str) -> Number:
-        whole, point, part = piece.partition(".")
-        if not whole.isdecimal() or (point and not part.isdecimal()) or len(piece) > DIGITS:
-            raise Unusual
-        return Number(piece)
 
     def call(self, function: str | None) -> Tree:
         if function is None or self.piece != "(":
@@ -159,7 +154,7 @@ class _Reader:
         order, self.piece = self.piece, self.pieces.pop()
         if not order.isdecimal() or len(order) > 2 or self.piece == "^":
             raise Unusual
-        return Call("macaulay", (tree, Number(order)))
+        return Call("macaulay", (tree, _number(order)))
 
     def close(self, bracket: str) -> None:
         if self.piece != bracket:
@@ -174,3 +169,11 @@ class _Reader:
         tree = read(self)
         self.depth -= 1
         return tree
+
+
+@lru_cache(maxsize=4096)
+def _number(piece: str) -> Number:
+    whole, point, part = piece.partition(".")
+    if not whole.isdecimal() or (point and not part.isdecimal()) or len(piece) > DIGITS:
+        raise Unusual
+    return Number(piece)

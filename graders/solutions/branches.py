@@ -47,7 +47,7 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     lines = [builder.define(name, line) for name, line in scene.lines]
     outputs = [_joined(builder, trees) for trees in sides]
     found = turns(builder, (outputs[0], *lines), outputs[1])
-    if not found:
+    if not found:  # nothing in them turns
         return NONE
     box = tuple(Domain(low, high) for low, high in scene.ranges)
     program = builder.program(*outputs, *(turn.slot for turn in found))

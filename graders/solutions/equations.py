@@ -32,7 +32,7 @@ from graders.solutions.scene import (
     moved,
     used_symbols,
 )
-from graders.solutions.zeros import Line, Zero, scanned, straight
+from graders.solutions.zeros import Line, Zero, crossing, scanned
 
 DRAWS = 4  # points at which the ratio is tested
 ENOUGH = 3  # zeros of each side that the other must share
@@ -169,14 +169,7 @@ class Pair:
     def _zeros(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
         found: tuple[list[Zero], list[Zero]] = ([], [])
-        points = self.scene.points
-        for source in (
-            self._in_turn(self._solved),
-            self._regions(points[:TRIED]),
-            self._in_turn(self._spread),
-            self._regions(points[TRIED:REGIONS]),
-            self._regions(self.branches),
-        ):
+        for source in self._sources():
             for which, zero in source:
                 found[which].append(zero)
                 yield which, zero
@@ -185,6 +178,14 @@ class Pair:
         for which in (0, 1):
             for zero in self._along_lines(which, [*found[0], *found[1]]):
                 yield which, zero
+
+    def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
+        points = self.scene.points
+        yield self._in_turn(self._solved)
+        yield self._regions(points[:TRIED])
+        yield self._in_turn(self._spread)
+        yield self._regions(points[TRIED:REGIONS])
+        yield self._regions(self.branches)
 
     def _settled(self) -> bool:
         """Tell whether each side has one zero on each line: both are affine in the unknown, in every branch."""
@@ -220,8 +221,8 @@ class Pair:
         """Give zeros where a factor of a side is affine in the unknown."""
         for factor in self.factors[which]:
             if self.unknown in self._affine(factor):
-                found = (straight(Line(factor.side, base, self.unknown)) for base in self.scene.points)
-                yield from islice((one.zero for one in found if one is not None and one.zero is not None), ENOUGH + 1)
+                found = (crossing(Line(factor.side, base, self.unknown)) for base in self.scene.points)
+                yield from islice((zero for zero in found if zero is not None), ENOUGH + 1)
 
     def _spread(self, which: int) -> Iterator[Zero]:
         """Give zeros all over the box and in every branch: by a symbol in which a factor is affine, else by steps."""
@@ -245,17 +246,17 @@ class Pair:
         """Give zeros with the parameters of points beside everything that turns."""
         for k, start in enumerate(self.branches):
             if self.unknown in symbols:
-                found = straight(Line(factor.side, start, self.unknown))
-                if found is not None and found.zero is not None:
-                    yield found.zero
+                zero = crossing(Line(factor.side, start, self.unknown))
+                if zero is not None:
+                    yield zero
             elif k < SEARCHED:
                 yield from islice(scanned(Line(factor.side, start, self.unknown), FEWER), MOST)
 
     def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
         for at in affine[:3]:
-            found = straight(Line(side, start, at))
-            if found is not None and found.zero is not None:
-                return found.zero
+            zero = crossing(Line(side, start, at))
+            if zero is not None:
+                return zero
         return None
 
     def _along_lines(self, which: int, known: Sequence[Zero]) -> Iterator[Zero]:

@@ -254,4 +254,10 @@ def moved(point: Sequence[Any], at: int, value: Any) -> list[Any]:
 
 def exactly(points: Sequence[Sequence[float]]) -> Iterator[list[arb]]:
     """Give points of doubles as exact balls."""
-    return ([arb(x) for x in point] for point in points)
+    return (list(exact(tuple(point))) for point in points)
+
+
+@lru_cache(maxsize=4096)
+def exact(point: tuple[float, ...]) -> tuple[arb, ...]:
+    """Give the numbers of a point as balls of no width; points are used again and again."""
+    return tuple(map(arb, point))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from flint import arb
 
-from graders.solutions.scene import Side, moved
+from graders.solutions.scene import Side, exact, moved
 
 NODES = 65
 DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
@@ -40,7 +40,7 @@ class Line:
 
     def ball(self, x: arb) -> arb | None:
         """Enclose the value at a place."""
-        return self.side.ball(moved([arb(c) for c in self.base], self.at, x), self.index)
+        return self.side.ball(moved(exact(tuple(self.base)), self.at, x), self.index)
 
     def double(self, x: float) -> float:
         """Give the value in doubles; NaN where it has none."""
@@ -54,7 +54,7 @@ class Line:
 
     def zero(self, x: arb) -> Zero:
         """Give the zero at a place."""
-        return Zero(tuple(moved([arb(c) for c in self.base], self.at, x)), (self.at,))
+        return Zero(tuple(moved(exact(tuple(self.base)), self.at, x)), (self.at,))
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +85,17 @@ def straight(line: Line) -> Straight | None:
         return Straight(None)
     there = line.ball(place)  # beyond a bend the straight line does not go on
     return Straight(line.zero(place)) if there is not None and there.contains(0) else None
+
+
+def crossing(line: Line) -> Zero | None:
+    """Give the zero of a residual that is affine in the symbol as it is written, if there is one in the range."""
+    low, high = line.ends
+    one, two = arb(low), arb(low) + arb(high - low) * 0.81
+    first, second = line.ball(one), line.ball(two)
+    if first is None or second is None or (second - first).contains(0):
+        return None
+    place = one - first * (two - one) / (second - first)
+    return line.zero(place) if line.side.scene.inside(line.at, place) else None
 
 
 def negligible(value: arb, beside: Sequence[arb]) -> bool:
