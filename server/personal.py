@@ -1,8 +1,8 @@
 """What is kept of a person: handed out to the person and to administrators, and erased on request.
 
 What an examination still holds back is left out. Erasing keeps the marks of sets and the answers that were judged,
-under a number that is nobody's name; it removes names, logins, sessions, tokens, drafts, practice, reports, comments,
-reasons, and every answer that no judge has read.
+under a number that is nobody's name; it removes names, logins, memberships, sessions, tokens, drafts, practice,
+reports, comments, reasons, and every answer that no judge has read.
 """
 
 from __future__ import annotations

@@ -120,9 +120,11 @@ def _erase(connection: Connection, number: str, prune: Prune) -> bool:
     kept = select(variants.c.id).where(own)
     connection.execute(delete(drafts).where(drafts.c.variant.in_(kept)))
     connection.execute(delete(problems).where(or_(problems.c.owner == number, problems.c.variant.in_(kept))))
-    connection.execute(update(marks).where(marks.c.submission.in_(_receipts(own))).values(comment=""))
+    mine = _receipts(own)
+    connection.execute(update(marks).where(marks.c.submission.in_(mine)).values(comment=""))
+    connection.execute(update(grades).where(grades.c.submission.in_(mine)).values(reason=None))
     connection.execute(update(accommodations).where(accommodations.c.person == number).values(reason=""))
-    for table in (sessions, api_tokens, links):
+    for table in (memberships, sessions, api_tokens, links):
         connection.execute(delete(table).where(table.c.person == number))
     return True
 

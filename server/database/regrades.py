@@ -17,7 +17,7 @@ from server.storage.jobs import DONE, Batch, Ending, Job, Json, Kept
 from server.tables import batches, deck, grades, slots, submissions, task_sets
 
 BATCH = 400  # submissions, about
-TIMED_OUT = "time-out "  # how the key of a collected draft begins
+TIMED_OUT = "time-out "  # begins the body of a collected draft; that of what was sent is a digest
 STORED = (deck.c.exercise, deck.c.version, deck.c.seed, deck.c.givens)
 
 
@@ -63,7 +63,7 @@ def _works(connection: Connection, task_set: str, first: str, last: str) -> dict
     """Give what was handed in, by variant, each with its newest grade."""
     given = grades.alias()
     newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
-    columns = submissions.c.variant, submissions.c.receipt, submissions.c.answers, submissions.c.key
+    columns = submissions.c.variant, submissions.c.receipt, submissions.c.answers, submissions.c.body
     judged = grades.c.grade, grades.c.grader_version, grades.c.counted
     query = _of_set(select(*columns, *judged).join(deck, deck.c.variant == submissions.c.variant), task_set)
     query = query.join(grades, grades.c.id == newest).where(submissions.c.variant.between(first, last))
@@ -72,8 +72,9 @@ def _works(connection: Connection, task_set: str, first: str, last: str) -> dict
 
 
 def _work(row: Any) -> Work:
-    collected = (row.key or "").startswith(TIMED_OUT)
-    return Work(row.receipt, row.answers, row.grade, row.grader_version, row.counted, collected)
+    return Work(
+        row.receipt, row.answers, row.grade, row.grader_version, row.counted, row.body.startswith(TIMED_OUT)
+    )  # fmt: skip
 
 
 def write(connection: Connection, batch: Batch, outcome: Replayed) -> Kept:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Iterator
+from types import SimpleNamespace
 
 import pytest
 from sqlalchemy import insert, select, update
@@ -126,3 +127,15 @@ def test_a_set_to_which_nothing_was_handed_in_is_regraded_at_once(school: Class)
     pieces = asyncio.run(school.database.jobs.plan(lambda connection: regrades.pieces(connection, "none")))
     assert pieces == [["", ""]]
     assert school.rows(select(task_sets.c.id)) == [{"id": SET}]
+
+
+@pytest.mark.parametrize(
+    ("key", "body", "collected"), [("time-out now", "9f" * 32, False), (None, "time-out now", True)]
+)
+def test_a_key_that_a_student_chooses_passes_for_no_collected_draft(
+    key: str | None, body: str, collected: bool
+) -> None:
+    row = SimpleNamespace(
+        receipt="r", answers={}, key=key, body=body, grade={}, grader_version="1", counted=True
+    )  # fmt: skip
+    assert regrades._work(row).all is collected
