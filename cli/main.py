@@ -31,6 +31,7 @@ COMMANDS = {
     "user": "let somebody in by a one-time link",
     "export": "write what is kept of a person, or marks",
     "erase": "erase a person; marks stay without a name",
+    "audit": "check that no line of the audit log was changed or removed",
     "backup": "copy the store to a file",
     "restore": "take a copy of a store back",
 }

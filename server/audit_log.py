@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from datetime import datetime
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Depends, Query, Request
 from pydantic import BaseModel
@@ -17,7 +17,7 @@ from server.language import words
 from server.people import REFUSED
 from server.reader import Asking, admit
 from server.sets import clock
-from server.storage.audit import Detail, Line
+from server.storage.audit import Checked, Detail, Line
 from server.templating import decimal, page
 
 AT_ONCE = 100  # lines in one answer
@@ -67,9 +67,12 @@ async def list_course(course: str, bench: Tools, before: Before = None) -> Lines
 
 
 @pages.get("/audit")
-async def show_all(request: Request, bench: Tools, reader: Asking, before: Before = None) -> HTMLResponse:
-    """Show the audit log of the server."""
-    return await _page(request, bench, reader.language, before, None)
+async def show_all(
+    request: Request, bench: Tools, reader: Asking, before: Before = None, check: Literal["yes"] | None = None
+) -> HTMLResponse:
+    """Show the audit log of the server, and whether its lines fit to one another, where that is asked."""
+    checked = await bench.audit.check() if check else None
+    return await _page(request, bench, reader.language, before, None, checked)
 
 
 @pages.get("/courses/{course}/audit")
@@ -100,11 +103,14 @@ def _shown(line: Line, names: Mapping[str, str]) -> ShownLine:
     )  # fmt: skip
 
 
-async def _page(request: Request, bench: Bench, language: str, before: int | None, course: Any) -> HTMLResponse:
+async def _page(
+    request: Request, bench: Bench, language: str, before: int | None, course: Any, checked: Checked | None = None
+) -> HTMLResponse:
     listed = await _listed(bench, course.id if course else None, before, "")
     place = clock.zone(course.time_zone if course else "UTC")
     context = {
         "course": course,
+        "checked": checked,
         "lines": listed.lines,
         "older": listed.lines[-1].number if listed.next else None,
         "newest": before is None,

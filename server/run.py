@@ -21,6 +21,7 @@ from server.jobs.working import Bureau
 from server.judging import JudgingThread
 from server.regrading import command
 from server.settings import Settings, SettingsError, check
+from server.storage.audit import Checked, End
 from server.storage.jobs import Job
 
 GRACE = 30  # s that requests under way have when the process is told to end
@@ -105,6 +106,16 @@ async def _work(settings: Settings, most: int) -> None:
         await queue.run(app, most, signals=True)
     finally:
         judging.close()
+        database.close()
+
+
+def check_log(settings: Settings, earlier: End | None) -> Checked:
+    """Check the audit log, which an earlier end must still be part of."""
+    migrate(settings)
+    database = Database(settings.store_url)
+    try:
+        return asyncio.run(database.audit.check(earlier))
+    finally:
         database.close()
 
 

@@ -1,4 +1,8 @@
-"""The audit log: each line carries the digest of the one before, so that a changed or missing line is seen."""
+"""The audit log: each line carries the digest of the one before, so that a changed or missing line is seen.
+
+The last line is noted among the settings, and a new line is bound to what is noted: if the last lines are cut off,
+neither the end nor the next line fits.
+"""
 
 from __future__ import annotations
 
@@ -7,16 +11,17 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from datetime import UTC, datetime
 from typing import TypeVar
 
-from sqlalchemy import Connection, RowMapping, func, insert, select, union_all
+from sqlalchemy import Connection, RowMapping, func, insert, select, union_all, update
 
 from server import ids
 from server.database.connections import Connections
-from server.storage.audit import Action, Entry, Line
-from server.tables import audit, courses, persons, task_sets
+from server.storage.audit import Action, Checked, End, Entry, Line
+from server.tables import audit, courses, persons, settings, task_sets
 
 T = TypeVar("T")
 LOCK = 0x6C6F  # any number, the same on all hosts: lines are added one after the other
-FIRST = "0" * 64  # what stands before the first line
+NOTHING = End(0, "0" * 64)  # what stands before the first line
+NOTED = settings.c.name == "audit_end"
 AT_ONCE = 1000  # lines read together when the chain is walked
 
 
@@ -45,23 +50,39 @@ class Audit:
         rows = await self._connections.read(lambda connection: connection.execute(query).all())
         return {number: name for number, name in rows}
 
-    async def broken(self) -> int | None:
-        """Give the number of the first line that does not fit to the one before it; none where all do."""
-        return await self._connections.read(_broken)
+    async def check(self, earlier: End | None = None) -> Checked:
+        """Walk the log: each line must fit to the one before, and the last ones and an earlier end must be there."""
+        return await self._connections.read(lambda connection: _checked(connection, earlier or NOTHING))
 
 
 def note(connection: Connection, entry: Entry) -> None:
     """Add a line, in the transaction of what it tells about."""
     if connection.dialect.name == "postgresql":
         connection.execute(select(func.pg_advisory_xact_lock(LOCK)))
-    last = select(audit.c.digest).order_by(audit.c.id.desc()).limit(1)
-    previous = connection.execute(last).scalar_one_or_none() or FIRST
+    previous = _end(connection).digest
     now = datetime.now(UTC)
     values = {
         "time": now, "actor": entry.actor, "action": entry.action.value, "object": entry.object,
         "course": entry.course, "details": dict(entry.details),
     }  # fmt: skip
-    connection.execute(insert(audit), values | {"previous": previous, "digest": _digest(previous, now, entry)})
+    digest = _digest(previous, now, entry)
+    added = insert(audit).values(values | {"previous": previous, "digest": digest}).returning(audit.c.id)
+    _note_end(connection, End(connection.execute(added).scalar_one(), digest))
+
+
+def _end(connection: Connection) -> End:
+    """Give the end that was noted; a store from before it was noted gives its last line."""
+    noted = connection.execute(select(settings.c.value).where(NOTED)).scalar_one_or_none()
+    if noted is not None:
+        number, _, digest = noted.partition(" ")
+        return End(int(number), digest)
+    last = connection.execute(select(audit.c.id, audit.c.digest).order_by(audit.c.id.desc()).limit(1)).first()
+    return End(*last) if last else NOTHING
+
+
+def _note_end(connection: Connection, end: End) -> None:
+    if connection.execute(update(settings).where(NOTED).values(value=str(end))).rowcount == 0:
+        connection.execute(insert(settings), {"name": "audit_end", "value": str(end)})
 
 
 def noting(write: Callable[[Connection], T], entry: Entry | None) -> Callable[[Connection], T]:
@@ -95,15 +116,18 @@ def line_of(row: RowMapping) -> Line:
     return Line(row["id"], row["time"], entry, row["digest"])
 
 
-def _broken(connection: Connection) -> int | None:
-    previous, after = FIRST, 0
-    while rows := _following(connection, after):
+def _checked(connection: Connection, earlier: End) -> Checked:
+    due = [end for end in (earlier, _end(connection)) if end.number]  # lines may be added while the log is walked
+    last = NOTHING
+    while rows := _following(connection, last.number):
         for row in rows:
             line = line_of(row)
-            if row["previous"] != previous or line.digest != _digest(previous, line.time, line.entry):
-                return line.number
-            previous, after = line.digest, line.number
-    return None
+            told = End(line.number, line.digest)
+            fits = row["previous"] == last.digest and line.digest == _digest(last.digest, line.time, line.entry)
+            if not fits or any(end.number == told.number and end != told for end in due):
+                return Checked(last, line.number)
+            due, last = [end for end in due if end != told], told
+    return Checked(last, min((end.number for end in due), default=None))
 
 
 def _following(connection: Connection, after: int) -> Sequence[RowMapping]:

@@ -70,6 +70,25 @@ class Line:
     digest: str
 
 
+@dataclass(frozen=True, slots=True)
+class End:
+    """The last line of the log, by number and digest; kept elsewhere, it shows later that nothing was cut off."""
+
+    number: int
+    digest: str
+
+    def __str__(self) -> str:
+        return f"{self.number} {self.digest}"
+
+
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What came of walking the log: its end, and the first line that is wrong or missing; none where all fit."""
+
+    end: End
+    broken: int | None
+
+
 class Audit(Protocol):
     """A store of the audit log. Lines are only ever added."""
 
@@ -85,6 +104,6 @@ class Audit(Protocol):
         """Give the names of people and the titles of sets and courses that are there."""
         ...
 
-    async def broken(self) -> int | None:
-        """Give the number of the first line that does not fit to the one before it; none where all do."""
+    async def check(self, earlier: End | None = None) -> Checked:
+        """Walk the log: each line must fit to the one before, and the last ones and an earlier end must be there."""
         ...

@@ -44,3 +44,15 @@ def test_who_is_not_there_or_administers_is_unusable(
     yes = ["--yes"] if command == "erase" else []
     code, out, err = run(capsys, command, "--person", who, *yes, "--data-dir", store)
     assert (code, out) == (2, "") and (who in err or "administrator" in err)
+
+
+def test_the_audit_log_is_checked_and_its_end_kept_elsewhere(store: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, end, _ = run(capsys, "audit", "--data-dir", store)
+    assert code == 0 and end.split()[0] == "2"
+    run(capsys, "export", "--person", "anna", "--data-dir", store)
+    assert run(capsys, "audit", "--end", end, "--data-dir", store)[0] == 0
+    forged = f"1 {end.split()[1]}"
+    assert run(capsys, "audit", "--end", forged, "--data-dir", store)[:2] == (
+        1, "line 1 of the audit log does not fit: a line was changed or removed\n",
+    )  # fmt: skip
+    assert run(capsys, "audit", "--end", "none", "--data-dir", store)[0] == 2

@@ -11,7 +11,7 @@ from sqlalchemy import Connection, delete, update
 from server.database import Database
 from server.database.audit import note, noting
 from server.storage.audit import Action, Entry
-from server.tables import audit
+from server.tables import audit, settings
 
 ENTRY = Entry("AAAA-AAAA-AAAA", Action.ROLE_CHANGED, "BBBB-BBBB-BBBB", "CCCC-CCCC-CCCC", {"role": "lecturer", "n": 1.5})
 
@@ -35,7 +35,7 @@ def test_a_line_comes_back_as_it_was_written(database: Database) -> None:
     asyncio.run(database.audit.note(ENTRY))
     (line,) = asyncio.run(database.audit.lines(None, None, 9))
     assert line.entry == ENTRY
-    assert asyncio.run(database.audit.broken()) is None
+    assert asyncio.run(database.audit.check()).broken is None
 
 
 def test_lines_are_paged_from_the_newest_by_course(database: Database) -> None:
@@ -65,6 +65,38 @@ def test_a_changed_or_missing_line_is_seen(database: Database) -> None:
     fill(database, 5)
     changed = update(audit).where(audit.c.id == 4).values(object="DDDD-DDDD-DDDD")
     write(database, lambda connection: connection.execute(changed))
-    assert asyncio.run(database.audit.broken()) == 4
+    assert asyncio.run(database.audit.check()).broken == 4
     write(database, lambda connection: connection.execute(delete(audit).where(audit.c.id == 2)))
-    assert asyncio.run(database.audit.broken()) == 3
+    assert asyncio.run(database.audit.check()).broken == 3
+
+
+def test_lines_that_were_cut_off_at_the_end_are_missed_then_and_later(database: Database) -> None:
+    fill(database, 5)
+    whole = asyncio.run(database.audit.check())
+    assert (whole.end.number, whole.broken) == (5, None)
+    write(database, lambda connection: connection.execute(delete(audit).where(audit.c.id >= 4)))
+    assert asyncio.run(database.audit.check()).broken == 5
+    fill(database, 2)  # what comes after does not hide it
+    after = asyncio.run(database.audit.lines(None, None, 2))[-1].number
+    assert asyncio.run(database.audit.check()).broken == after
+
+
+def test_an_end_that_was_kept_elsewhere_shows_a_log_that_was_written_anew(database: Database) -> None:
+    fill(database, 3)
+    kept = asyncio.run(database.audit.check()).end
+    fill(database, 2)
+    assert asyncio.run(database.audit.check(kept)).broken is None
+    write(database, lambda connection: (connection.execute(delete(audit)), connection.execute(delete(settings))))
+    assert asyncio.run(database.audit.check(kept)).broken == 3
+    fill(database, 4)
+    assert asyncio.run(database.audit.check()).broken is None and asyncio.run(database.audit.check(kept)).broken
+
+
+def test_a_log_from_before_its_end_was_noted_goes_on(database: Database) -> None:
+    fill(database, 3)
+    write(database, lambda connection: connection.execute(delete(settings)))
+    assert asyncio.run(database.audit.check()).broken is None
+    fill(database, 1)
+    assert asyncio.run(database.audit.check()).broken is None
+    write(database, lambda connection: connection.execute(delete(audit).where(audit.c.id == 4)))
+    assert asyncio.run(database.audit.check()).broken == 4

@@ -6,13 +6,16 @@ import asyncio
 import json
 
 import pytest
+from sqlalchemy import delete
 from starlette.testclient import TestClient
 
 from server import audit_log
 from server.database import Database
 from server.database.audit import note
+from server.engine import engine
 from server.language import LANGUAGES, words
 from server.storage.audit import Action, Entry
+from server.tables import audit
 from tests.server.school import CODE, PASSWORD, School
 
 EN = {"accept-language": "en", "accept": "text/html"}
@@ -54,7 +57,7 @@ def test_acts_are_written_in_order_and_hold_no_secret(school: School) -> None:
     kept = [line.entry for line in school.portal.call(school.bench.audit.lines, None, None, 99)]
     whole = json.dumps([[entry.actor, entry.object, dict(entry.details)] for entry in kept], ensure_ascii=False)
     assert not [secret for secret in secrets if secret in whole]
-    assert school.portal.call(school.bench.audit.broken) is None
+    assert school.portal.call(school.bench.audit.check).broken is None
 
 
 def test_a_lecturer_reads_the_lines_of_the_own_course(school: School) -> None:
@@ -114,6 +117,22 @@ def test_markup_in_a_name_is_inert_in_the_log(school: School) -> None:
     assert "&lt;script&gt;alert(1)" in page and "<script>alert" not in page
 
 
+def test_administrators_check_the_chain_and_are_told_where_it_breaks(school: School) -> None:
+    for at in range(3):
+        school.portal.call(school.bench.audit.note, Entry("server", Action.REGRADED, f"job {at}", school.course))
+    boss, lecturer = school.browser("administrator"), school.browser("lecturer")
+    assert 'href="?check=yes"' in boss.get("/audit", headers=EN).text
+    assert "All lines fit to one another" in boss.get("/audit?check=yes", headers=EN).text
+    assert "check=yes" not in lecturer.get(f"/courses/{school.course}/audit", headers=EN).text
+    last = school.portal.call(school.bench.audit.lines, None, None, 1)[0].number
+    cut = delete(audit).where(audit.c.id == last)
+    store = engine(school.bench.settings.store_url, connections=1)
+    with store.begin() as connection:
+        connection.execute(cut)
+    store.dispose()
+    assert f"Line {last} does not fit" in boss.get("/audit?check=yes", headers=EN).text
+
+
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_act_is_worded(language: str) -> None:
     assert [action for action in Action if f"audit.{action.value}" not in words(language)] == []
@@ -128,7 +147,7 @@ def test_two_servers_write_one_chain(database: Database) -> None:
         entry = Entry("server", Action.REGRADED, "x")
         work = [one._connections.write(lambda c: note(c, entry)) for one in (database, other) for _ in range(20)]
         await asyncio.gather(*work)
-        return await database.audit.broken()
+        return (await database.audit.check()).broken
 
     try:
         assert asyncio.run(both()) is None

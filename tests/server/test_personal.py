@@ -186,7 +186,7 @@ def test_no_table_holds_a_word_of_somebody_erased(course: Course) -> None:
             course.school.browser("administrator").delete(f"/api/v1/people/{person.id}")
     assert found(course, SAID, "Kowalska", "7004071539026", "a key") == {}
     assert set(found(course, me)) == NUMBERED.keys()
-    assert course.school.portal.call(course.school.bench.audit.broken) is None
+    assert course.school.portal.call(course.school.bench.audit.check).broken is None
     (row,) = [one for one in lecturer.get(f"{path}/gradebook").json()["students"] if one["student"]["id"] == me]
     assert row["student"]["left"] and row["points"] > 0
 
