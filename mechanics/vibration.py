@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from math import atan2, fsum, hypot, log2, sin, sqrt
 
 from mechanics.checks import finite, positive
 from mechanics.errors import SingularError
+
+NEAR = 1e-3  # of the stiffness: with less left of it, c - m omega^2 is taken exactly, since its digits cancel
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +123,8 @@ def _reduced(oscillator: Oscillator, omega: float) -> tuple[float, float]:
     if not 0 <= omega < float("inf"):
         raise ValueError(f"frequency omega = {omega} rad/s must be finite and not negative")
     stiff, viscous = oscillator.c - oscillator.m * omega**2, oscillator.b * omega
+    if abs(stiff) < NEAR * oscillator.c:
+        stiff = float(Fraction(oscillator.c) - Fraction(oscillator.m) * Fraction(omega) ** 2)
     if hypot(stiff, viscous) <= 1e-12 * oscillator.c:
         raise SingularError(f"resonance at {omega} rad/s without damping: the amplitude has no bound")
     finite("dynamic stiffness", hypot(stiff, viscous), "N/m")

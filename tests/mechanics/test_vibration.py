@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from cmath import phase
+from decimal import Decimal, localcontext
 from math import degrees, inf, nan, pi, sin, sqrt
 
 import pytest
@@ -69,6 +70,18 @@ def test_a_polyharmonic_process_of_the_domain() -> None:
     assert sqrt(sum(polyharmonic(*process, t) ** 2 for t in times) / 360) == pytest.approx(0.001658312395, rel=1e-9)
     assert octaves(10, 12000) == pytest.approx(10.22881869, rel=1e-9)
     assert polyharmonic(0, (1,), 2, (0,), 0.1) == sin(0.2)
+
+
+@pytest.mark.parametrize("off", [1e-4, 1e-8, -1e-10, 3e-12])
+def test_beside_resonance_no_digits_cancel(off: float) -> None:
+    """Against sixty decimal digits of the floats themselves."""
+    omega = 50 * (1 + off)
+    with localcontext(prec=60):
+        dynamic = abs(50_000 - 20 * Decimal(omega) ** 2)
+        amplitude, force_to_base = float(100 / dynamic), float(100 * 50_000 / dynamic)
+    found = force(Oscillator(20, 50_000), 100, omega)
+    assert found.amplitude == pytest.approx(amplitude, rel=1e-14)
+    assert found.force_to_base == pytest.approx(force_to_base, rel=1e-14)
 
 
 def test_resonance_without_damping_has_no_answer() -> None:
