@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from functools import partial
+from typing import Any
 
 from sqlalchemy import Connection, Select, bindparam, delete, exists, func, insert, select, update
 
@@ -179,9 +180,9 @@ def _change(connection: Connection, new: TaskSet, revision: int) -> None:
 
 def _move(connection: Connection, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry]) -> None:
     for old, new in moves:
-        seen = task_sets.c.due.is_not_distinct_from(old.due), task_sets.c.closes.is_not_distinct_from(old.closes)
-        moved = update(task_sets).where(task_sets.c.id == old.id, *seen).values(due=new.due, closes=new.closes)
-        if connection.execute(moved).rowcount != 1:
+        moved = update(task_sets).where(task_sets.c.id == old.id, task_sets.c.revision == old.revision)
+        values = {"due": new.due, "closes": new.closes, "extended": new.extended, "revision": old.revision + 1}
+        if connection.execute(moved, values).rowcount != 1:
             raise DeadlinesMoved(old.id)
     for entry in entries:
         note(connection, entry)
@@ -200,7 +201,12 @@ def _sets(connection: Connection, query: Select[tuple[object, ...]]) -> list[Tas
     theirs: dict[str, list[Slot]] = {}
     for row in connection.execute(found).mappings():
         theirs.setdefault(row["task_set"], []).append(deck.slot_of(row))
-    return [TaskSet(**row, slots=tuple(theirs.get(row["id"], ()))) for row in rows]
+    return [_task_set(row, theirs.get(row["id"], ())) for row in rows]
+
+
+def _task_set(row: Mapping[Any, Any], its_slots: Iterable[Slot]) -> TaskSet:
+    own = {column.name: row[column] for column in task_sets.columns}
+    return TaskSet(**own | {"extended": tuple(map(tuple, own["extended"]))}, slots=tuple(its_slots))
 
 
 def _place(connection: Connection, variant: str) -> Place | None:
@@ -208,10 +214,10 @@ def _place(connection: Connection, variant: str) -> Place | None:
     if row is None:
         return None
     card = Card(**{column.name: row[column] for column in cards.columns})
-    own = {column.name: row[column] for column in task_sets.columns}
-    theirs = tuple(map(deck.slot_of, connection.execute(SLOTS, {"number": own["id"]}).mappings()))
-    slot = next(slot for slot in theirs if slot.id == card.slot)
-    return Place(TaskSet(**own, slots=theirs), slot, card, row["extra"] or 0, row["begun"], row["most"] or 0)
+    theirs = map(deck.slot_of, connection.execute(SLOTS, {"number": row[task_sets.c.id]}).mappings())
+    found = _task_set(row, theirs)
+    slot = next(slot for slot in found.slots if slot.id == card.slot)
+    return Place(found, slot, card, row["extra"] or 0, row["begun"], row["most"] or 0)
 
 
 def _reserved(connection: Connection, exercise: str, now: datetime) -> bool:

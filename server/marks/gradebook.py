@@ -10,8 +10,8 @@ from typing import Protocol
 
 from graders import Code
 from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
-from server.sets.handing import rules_of
-from server.sets.rules import Rules, Window, combined, kept, reached, window
+from server.sets.handing import rules_of, window_of
+from server.sets.rules import Rules, Window, combined, kept, reached
 from server.storage.courses import LEFT, Courses, Member
 from server.storage.marks import DealtCard, Marks
 from server.storage.sets import Line, Sets, Slot, TaskSet
@@ -220,7 +220,7 @@ def _row(
     task_set, person = found.task_set, member.person.id
     begun = min((card.dealt for card in dealt), default=None)
     extra = found.extra.get(person, (0, ""))[0]
-    own = window(task_set.opens, task_set.due, task_set.closes, rules, extra=extra, begun=begun)
+    own = window_of(task_set, extra, begun)
     cards = {card.slot: card for card in dealt}
     cells = tuple(
         cell(slot, cards.get(slot.id), lines.get((person, slot.id), []), found, own, rules) for slot in task_set.slots

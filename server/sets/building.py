@@ -162,7 +162,7 @@ async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor
     slots = tuple(replace(slot, id=ids.new(), task_set=number) for slot in task_set.slots)
     new = replace(
         task_set, id=number, course=course.id, rules=rules, state=DRAFT, published=None, revision=1,
-        created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes,
+        created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes, extended=(),
     )  # fmt: skip
     entry = Entry(actor, Action.SET_COPIED, number, course.id, {"from": task_set.id, "days": days})
     await bench.sets.add(new, entry)
@@ -172,18 +172,16 @@ async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor
 async def extend(
     bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str, seen: str | None = None
 ) -> list[TaskSet]:
-    """Move the deadlines of published sets of which one is still ahead; gives the sets that moved.
+    """Move the deadlines of published sets of which one is still ahead, and the end of time limits that run.
+
+    Gives the sets that moved.
 
     Raises:
         Refused: 409, the deadlines are not those that were `seen`, or were moved at the same moment.
     """
     if seen is not None and seen != deadlines(sets):
         raise Refused(409, "deadlines_moved")
-    moves = [
-        (one, replace(one, due=_later(one.due, minutes), closes=_later(one.closes, minutes)))
-        for one in sets
-        if one.state == PUBLISHED and _ahead(one, now)
-    ]
+    moves = [(one, _moved(one, minutes, now)) for one in sets if one.state == PUBLISHED and _ahead(one, now)]
     told = {"minutes": minutes}
     try:
         await bench.sets.move(moves, [Entry(actor, Action.DEADLINES_MOVED, o.id, o.course, told) for o, _ in moves])
@@ -194,13 +192,22 @@ async def extend(
 
 def deadlines(sets: Sequence[TaskSet]) -> str:
     """Give a digest of the deadlines of published sets, by which a form knows whether they have moved."""
-    told = sorted(f"{one.id} {one.due} {one.closes}" for one in sets if one.state == PUBLISHED)
+    told = sorted(f"{one.id} {one.due} {one.closes} {one.revision}" for one in sets if one.state == PUBLISHED)
     return sha256("\n".join(told).encode()).hexdigest()
 
 
 def _ahead(task_set: TaskSet, now: datetime) -> bool:
-    found = window(task_set.opens, task_set.due, task_set.closes, Rules.model_validate(task_set.rules))
-    return any(moment is not None and now <= moment for moment in (found.due, found.closes))
+    rules = Rules.model_validate(task_set.rules)
+    found = window(task_set.opens, task_set.due, task_set.closes, rules)
+    undated = rules.minutes is not None and found.due is None and found.closes is None
+    return undated or any(moment is not None and now <= moment for moment in (found.due, found.closes))
+
+
+def _moved(task_set: TaskSet, minutes: int, now: datetime) -> TaskSet:
+    due, closes = _later(task_set.due, minutes), _later(task_set.closes, minutes)
+    limited = Rules.model_validate(task_set.rules).minutes is not None
+    extended = [*task_set.extended, *([(now.isoformat(), minutes)] if limited else [])]
+    return replace(task_set, due=due, closes=closes, extended=extended)
 
 
 def _later(moment: datetime | None, minutes: int) -> datetime | None:

@@ -34,7 +34,9 @@ def rules_of(task_set: TaskSet) -> Rules:
 
 def window_of(task_set: TaskSet, extra: int, begun: datetime | None) -> Window:
     """Give the window of one student."""
-    return window(task_set.opens, task_set.due, task_set.closes, rules_of(task_set), extra=extra, begun=begun)
+    extended = [(datetime.fromisoformat(moment), minutes) for moment, minutes in task_set.extended]
+    dates, rules = (task_set.opens, task_set.due, task_set.closes), rules_of(task_set)
+    return window(*dates, rules, extra=extra, begun=begun, extended=extended)
 
 
 def own_window(place: Place) -> Window:

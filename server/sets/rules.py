@@ -76,7 +76,7 @@ class Window:
 
 def window(
     opens: datetime | None, due: datetime | None, closes: datetime | None, rules: Rules,
-    *, extra: int = 0, begun: datetime | None = None,
+    *, extra: int = 0, begun: datetime | None = None, extended: Sequence[tuple[datetime, int]] = (),
 ) -> Window:  # fmt: skip
     """Give the window of one student.
 
@@ -87,6 +87,7 @@ def window(
         rules: The rules of the set.
         extra: Minutes this student has more; they move due, closing and the time limit.
         begun: When this student opened the set first; from then the time limit runs.
+        extended: When deadlines were moved, and by how many minutes; a time limit that ran then is so much longer.
     """
     more = timedelta(minutes=extra)
     due = due + more if due is not None else None
@@ -94,9 +95,16 @@ def window(
     if rules.late == "refused":
         closes = _earliest(due, closes)
     if rules.minutes is not None and begun is not None:
-        end = begun + timedelta(minutes=rules.minutes) + more
+        end = _end(begun, begun + timedelta(minutes=rules.minutes) + more, extended)
         due, closes = _earliest(due, end), _earliest(closes, end)
     return Window(opens, due, closes)
+
+
+def _end(begun: datetime, end: datetime, extended: Sequence[tuple[datetime, int]]) -> datetime:
+    for moment, minutes in extended:
+        if begun <= moment <= end:
+            end += timedelta(minutes=minutes)
+    return end
 
 
 def _earliest(*moments: datetime | None) -> datetime | None:

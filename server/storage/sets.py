@@ -33,7 +33,8 @@ class TaskSet:
     Attributes:
         rules: The rules as JSON values.
         state: draft, publishing (its deck is being dealt) or published.
-        revision: Grows with every change of the draft.
+        revision: Grows with every change of the draft, and with every move of the deadlines.
+        extended: When deadlines were moved, and by how many minutes: time limits that ran then are longer.
     """
 
     id: str
@@ -48,6 +49,7 @@ class TaskSet:
     revision: int
     created: datetime
     slots: tuple[Slot, ...] = ()
+    extended: Sequence[tuple[str, int]] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,8 +17,9 @@ task_sets = Table(
     Column("due", Moment),
     Column("closes", Moment),
     Column("published", Moment),
-    Column("revision", Integer, nullable=False),  # of the draft, so that two builders do not overwrite each other
+    Column("revision", Integer, nullable=False),  # so that two builders do not overwrite each other
     Column("created", Moment, nullable=False),
+    Column("extended", JSON, nullable=False, server_default="[]"),  # [moment, minutes]: time limits that ran then
     Index(None, "course"),
 )  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime, timedelta
 
+import pytest
 from sqlalchemy import update
 
 from server.database.sets import Sets
@@ -150,6 +151,20 @@ def test_a_deadline_moves_where_late_work_is_taken_without_an_end(course: Course
     assert datetime.fromisoformat(moved["due"]) - datetime.fromisoformat(due) == timedelta(minutes=15)
     course.move(number, minutes=1)
     assert course.lecturer.post(f"{path}/extend", json={"minutes": 15}).json() == []
+
+
+@pytest.mark.parametrize("dates", [{}, {"due": None}])
+def test_moving_the_deadlines_lengthens_a_time_limit_that_runs(course: Course, dates: dict[str, None]) -> None:
+    number = course.published(rules={"minutes": 30}, **dates)
+    path, minutes = f"/api/v1/task-sets/{number}", timedelta(minutes=15)
+    course.variant(number)
+    before, unopened = (who.get(path).json()["closes"] for who in (course.student, course.other))
+    assert len(course.lecturer.post(f"{path}/extend", json={"minutes": 15}).json()) == 1
+    after, other = (who.get(path).json()["closes"] for who in (course.student, course.other))
+    assert datetime.fromisoformat(after) - datetime.fromisoformat(before) == minutes
+    assert other == (unopened and (datetime.fromisoformat(unopened) + minutes).isoformat().replace("+00:00", "Z"))
+    course.variant(number, course.other)  # begun after the move: as long as the set says
+    assert datetime.fromisoformat(course.other.get(path).json()["closes"]) < datetime.now(UTC) + 2 * minutes
 
 
 def test_attempts_of_any_length_in_the_form_are_refused_by_name(course: Course) -> None:

@@ -59,6 +59,13 @@ def test_extra_time_moves_due_closing_and_limit() -> None:
     assert begun.closes == OPENS + timedelta(minutes=135)
 
 
+@pytest.mark.parametrize(("moments", "longer"), [((0, 60), 20), ((60,), 10), ((61,), 0), ((-1,), 0), ((60, 65), 20)])
+def test_time_limits_that_run_when_deadlines_are_moved_are_longer(moments: tuple[int, ...], longer: int) -> None:
+    extended = [(OPENS + timedelta(minutes=at), 10) for at in moments]
+    found = window(OPENS, DUE, CLOSES, Rules(late="accepted", minutes=60), begun=OPENS, extended=extended)
+    assert found.closes == OPENS + timedelta(minutes=60 + longer)
+
+
 def test_the_limit_ends_with_the_window_for_one_who_begins_late() -> None:
     found = window(OPENS, DUE, None, Rules(minutes=90), begun=DUE - timedelta(minutes=10))
     assert found.closes == DUE
