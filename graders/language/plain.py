@@ -11,12 +11,13 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from graders.language.symbols import FUNCTIONS, Symbols, function_named
-from graders.language.tree import Binary, Call, Grid, Number, Relation, Tree, Unary, order_exists
+from graders.language.tree import Binary, Call, Grid, Name, Number, Relation, Tree, Unary, order_exists
 
 PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();<>]{1,250}")
 SIGNS = "+-*/^();<>"
 BETWEEN = re.compile(r"\] ?[,;] ?\[")
 DECIMAL = re.compile(r"\d,\d")
+PI = Name("pi")
 LONGEST = 1200  # of a matrix: too short for the bound on nodes
 WIDEST = 16
 DEPTH = 40
@@ -131,7 +132,8 @@ class _Reader:
         if piece[0].isdecimal():
             return _number(piece)
         known = piece in self.nodes or not piece[0].isalpha()
-        return (None if known else self.symbols.node(piece)) or self.call(function_named(piece))
+        node = None if known else self.symbols.node(piece)
+        return node or (PI if piece == "pi" else self.call(function_named(piece)))
 
     def call(self, function: str | None) -> Tree:
         if function is None or self.piece != "(":

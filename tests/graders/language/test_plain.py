@@ -61,6 +61,7 @@ def test_whatever_is_read_quickly_the_parser_reads_alike() -> None:
         "-<x>^0",
         "x=2",
         "a*x - l1 = -(a + 2)^2",
+        "pi*x^2/4",
     ],
 )
 def test_a_plain_text_is_read_quickly(text: str) -> None:
