@@ -148,17 +148,30 @@ class Cases:
             return None
         one, ends = case.slots[arguments[0]], self.ranges[arguments[0]]
         if name == "abs":
-            return Choice(one, ends, (one, [-x for x in one]))
+            return self._signed(arguments[0], (one, [-x for x in one]), case)
         if name == "sign":
             thin = arguments[0] not in self.loose and not all(x.contains(0) for x in one)
-            return Choice(one, ends, ([arb(1)] * len(one), [arb(-1)] * len(one))) if thin else None
+            values = [arb(1)] * len(one), [arb(-1)] * len(one)
+            return self._signed(arguments[0], values, case) if thin else None
         other = case.slots[arguments[1]]
         if name == "macaulay":
-            values = [x**order for x, order in zip(one, other, strict=True)], [arb(0)] * len(one)
-            return Choice(one, ends, values) if arguments[1] < 0 else None
+            powers = [x**order for x, order in zip(one, other, strict=True)], [arb(0)] * len(one)
+            found = Choice(one, ends, powers) if other[0].is_zero() else self._signed(arguments[0], powers, case)
+            return found if arguments[1] < 0 else None
         inside = [a - b for a, b in zip(one, other, strict=True)]
         ends = INTERVALS.functions["-"](ends, self.ranges[arguments[1]])
         return Choice(inside, ends, (one, other) if name == "max" else (other, one))
+
+    def _signed(self, slot: int, values: tuple[Column, Column], case: Case) -> Choice:
+        """Choose by the sign of a slot: by that of its only factor whose sign is open, if it is a product."""
+        first = len(self.program.inputs)
+        while slot >= first and self._operation(slot)[0] in ("*", "/"):
+            parts = self._operation(slot)[1]
+            sides = [side_of_zero(self.ranges[part]) for part in parts]
+            if sides.count(0) != 1:
+                break
+            slot, values = parts[sides.index(0)], values if sum(sides) > 0 else (values[1], values[0])
+        return Choice(case.slots[slot], self.ranges[slot], values)
 
     def _square(self, slot: int, radicand: Column, case: Case) -> Choice | None:
         """Give the root of a multiple of a square as one of two functions."""
@@ -169,7 +182,7 @@ class Cases:
             if factor is not None and factor > 0:
                 case.squares.append(slot)
                 root = [factor.sqrt() * x for x in column]
-                return Choice(column, self.ranges[at], (root, [-x for x in root]))
+                return self._signed(at, (root, [-x for x in root]), case)
         return None
 
     def _below(self, chosen: Choice, case: Case, is_step: bool) -> bool | None:
@@ -211,8 +224,23 @@ class Cases:
             if other == kind:
                 factors = [self._ratio(one, two) for one, two in zip(columns, arguments, strict=True)]
                 again = None if None in factors else _multiple(kind, factors, value)
+                if again is None and kind == "sqrt":
+                    again = self._scaled(columns[0], arguments[0], value, case)
                 if again is not None:
                     return again
+        return None
+
+    def _scaled(self, one: Column, other: Column, root: Column, case: Case) -> Column | None:
+        """Give the root of an argument from that of another one that is its multiple by the square of a symbol."""
+        for at, column in enumerate(case.slots[: len(self.program.inputs)]):
+            if side_of_zero(self.ranges[at]):
+                squares = [x * x for x in column]
+                factor = self._ratio(one, [x * square for x, square in zip(other, squares, strict=True)])
+                if factor is not None and factor > 0:
+                    return [factor.sqrt() * abs(x) * y for x, y in zip(column, root, strict=True)]
+                factor = self._ratio([x * square for x, square in zip(one, squares, strict=True)], other)
+                if factor is not None and factor > 0:
+                    return [factor.sqrt() * y / abs(x) for x, y in zip(column, root, strict=True)]
         return None
 
     def _number(self, values: Interval, slot: int) -> Column:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import NamedTuple
 
 from graders.equality.cases import Cases
@@ -23,6 +24,7 @@ CASES = 3  # points that settle one case of what turns
 FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
+NEW = 8  # points with signs that were not met before, asked before anything more is searched
 OPEN = 4  # points that may stay unsettled
 MOST_TURNS = 16  # that are searched for their borders; more stay undecided where no difference is found
 LEAST_ASKED = 24  # points that balls settle, whatever they cost
@@ -154,9 +156,12 @@ class Pair:
             return found or self._smooth()
         places = list[Place]()
         for stage in self._stages():
-            worst = self._first(place.point for place in stage[:WORST] if place.asked)
-            if worst is not None:
-                return worst
+            met = {place.pattern for place in places}
+            new = {place.pattern: place.point for place in reversed(stage) if place.pattern not in met}
+            worst = [place.point for place in stage[:WORST] if place.asked]
+            early = self._first([*worst, *islice(new.values(), NEW)])
+            if early is not None:
+                return early
             places += stage
         places.sort(key=lambda place: not place.asked)
         return self._settled(places)
