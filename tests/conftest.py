@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 import pytest
+from hypothesis import HealthCheck
+from hypothesis import settings as examples
 
 from server.settings import Settings
 from tests.server.stores import Postgres, lay, running
@@ -16,6 +18,9 @@ Laid: TypeAlias = Callable[..., Settings]
 REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 STORE = os.environ.get("GRUBLER_TEST_STORE", "sqlite")
 ELSEWHERE = {"browser", "site", "live"}  # what these need is tried in a browser or a process, on the embedded store
+
+examples.register_profile("grubler", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+examples.load_profile("grubler")  # how long an example takes tells how busy the machine is
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
