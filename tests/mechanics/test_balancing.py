@@ -60,7 +60,7 @@ def test_a_correction_straight_across_is_at_pi() -> None:
     assert balance([PointMass(1, 0.1, 0.0)], [Plane(0, 0.1)]).corrections[0].angle == pi
 
 
-@given(masses, st.floats(-100, 100), st.floats(-5, 5))
+@given(masses, st.floats(-100, 100).filter(lambda omega: abs(omega) > 1e-100 or not omega), st.floats(-5, 5))
 def test_the_bearings_feel_the_inertia_forces_of_the_turning_masses(
     rotor: list[PointMass], omega: float, turn: float
 ) -> None:
