@@ -21,6 +21,7 @@ from server.drafts import fresher, is_late, keep
 from server.errors import Refused
 from server.exercises import known, sample
 from server.forms import Form
+from server.hints import open_hint, price, with_ladders
 from server.laboratory import laboratory, without_empty
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit, remember
@@ -31,7 +32,6 @@ from server.submissions import Graded, graded, receipted, submit
 from server.templating import counted, page
 from server.variants import (
     dealt_to,
-    ladder_is_open,
     presented,
     restored,
     results_are_held,
@@ -39,7 +39,7 @@ from server.variants import (
     solved,
     visible,
 )  # fmt: skip
-from server.workspace import laddered, lines, marked
+from server.workspace import lines, marked
 
 SECTIONS = 13  # of the form of report TMM-2
 
@@ -153,6 +153,17 @@ async def check(variant: str, request: Request, bench: Tools, reader: Asking) ->
     return RedirectResponse(f"/variants/{dealt.id}?receipt={done.marked.handed.receipt}{place}", 303)
 
 
+@router.post("/variants/{variant}/hints")
+async def buy_hint(variant: str, request: Request, bench: Tools, reader: Asking) -> RedirectResponse:
+    """Open the next hint under an answer at its price, and go back to the answer."""
+    values = (await forms.read(request)).values
+    dealt = await visible(bench, reader, variant)
+    answer = values.get("answer", "")
+    await open_hint(bench, reader, dealt, answer, values.get("rung", ""))
+    number = list((await _shown(bench, reader, dealt)).answers).index(answer) + 1
+    return RedirectResponse(f"/variants/{dealt.id}#a{number}-hint", 303)
+
+
 @router.post("/variants/{variant}/preview")
 async def show_reading(variant: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show how the answers are read, without judging them; they are kept as the draft."""
@@ -186,6 +197,11 @@ async def _shown(bench: Bench, reader: Reader, dealt: Dealt) -> presenting.Prese
     return await presented(bench, dealt, reader.language)
 
 
+async def _hinted(bench: Bench, result: Graded) -> int:
+    """Count the hints that were opened at a price before a submission."""
+    return sum(hint.time <= result.receipt.time for hint in await bench.sets.hints(result.variant))
+
+
 async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict[str, str]:
     shown = await _shown(bench, reader, dealt)
     return {name: form.answer(field) for name, field in shown.answers.items()}
@@ -198,8 +214,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
     if catalogue.load(variant.exercise).exercise.report:
         laid = without_empty(laid)
     laid = marked(laid, result) if result else laid
-    if result and await ladder_is_open(bench, reader, dealt):
-        laid = await bench.judging.run(laddered, variant, laid, reader.language)
+    laid = await with_ladders(bench, reader, dealt, laid) if result else laid
     held = await results_are_held(bench, reader, dealt)
     lab = await bench.judging.run(laboratory, variant, laid, reader.language, work.section, held)
     judged = result.verdicts.values() if result else ()
@@ -217,6 +232,8 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "right": sum(verdict.outcome == "right" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
         "marks": [one for one in result.by_hand if all(one not in line.marks for line in laid)] if result else [],
+        "price": await price(bench, reader, dealt),
+        "hinted": await _hinted(bench, result) if result and dealt.code else 0,
         "key": secrets.token_hex(8),
         **(await on_page(bench, dealt.id, datetime.now(UTC)) if dealt.code else {"task": None}),
         "solution": await solution_is_open(bench, reader, dealt),

@@ -106,7 +106,7 @@ async def collected(personal: Personal, sets: Sets, number: str) -> dict[str, An
         "person": kept.person, "courses": kept.courses, "sessions": kept.sessions, "tokens": kept.tokens,
         "variants": [dict(row) | ({"seed": None} if row["code"] else {}) for row in kept.variants],
         "submissions": [_told(one, one.handed.receipt in held) for one in kept.submissions],
-        "drafts": kept.drafts, "problems": kept.problems,
+        "drafts": kept.drafts, "problems": kept.problems, "hints": kept.hints,
         "marks": [row for row in kept.marks if row["submission"] not in held],
         "extra_time": kept.extra, "acts": _acts(kept, held),
     }  # fmt: skip

@@ -80,6 +80,7 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/exercises/{exercise}"): Role.ANONYMOUS,
     ("GET", "/variants/{variant}"): Role.ANONYMOUS,
     ("POST", "/variants/{variant}"): Role.ANONYMOUS,
+    ("POST", "/variants/{variant}/hints"): Role.ANONYMOUS,
     ("POST", "/variants/{variant}/preview"): Role.ANONYMOUS,
     ("GET", "/variants/{variant}/solution"): Role.ANONYMOUS,
     ("POST", "/variants/{variant}/problem"): Role.ANONYMOUS,

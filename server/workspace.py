@@ -74,7 +74,7 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line of the solution as the page shows it."""
+    """One line of the solution as the page shows it; `sold` is the step of its ladder that can be opened at a price."""
 
     number: int
     field: Field
@@ -86,6 +86,7 @@ class Line:
     echo: Understood | None
     verdict: Judged | None
     rungs: tuple[str, ...] = ()
+    sold: int | None = None
     marks: tuple[ByHand, ...] = ()
 
     @property
@@ -167,14 +168,20 @@ async def lines(
     return laid
 
 
-def laddered(variant: Variant, laid: Sequence[Line], lang: str) -> list[Line]:
-    """Put the ladder of hints under what is wrong or partly right."""
-    return [
-        replace(line, rungs=presenting.ladder(variant, line.field.name, lang))
-        if line.verdict and line.verdict.outcome in ("wrong", "partly")
-        else line
-        for line in laid
-    ]
+def laddered(variant: Variant, laid: Sequence[Line], lang: str, opened: Mapping[str, int] | None = None) -> list[Line]:
+    """Put the ladder of hints under what is wrong or partly right; of one at a price, the steps `opened` so far."""
+    return [_laddered(variant, line, lang, opened) for line in laid]
+
+
+def _laddered(variant: Variant, line: Line, lang: str, opened: Mapping[str, int] | None) -> Line:
+    astray = line.verdict is not None and line.verdict.outcome in ("wrong", "partly")
+    bought = opened.get(line.field.name, 0) if opened is not None else 0
+    if not astray and not bought:
+        return line
+    rungs = presenting.ladder(variant, line.field.name, lang)
+    if opened is None:
+        return replace(line, rungs=rungs)
+    return replace(line, rungs=rungs[:bought], sold=bought + 1 if astray and bought < len(rungs) else None)
 
 
 def marked(laid: Sequence[Line], result: Graded) -> list[Line]:

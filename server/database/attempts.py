@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sqlalchemy import Connection, bindparam, func, insert, select
 
+from server.database.hints import before, moments
 from server.database.practice import keep_submission
 from server.storage import Marked
 from server.storage.sets import Line, NoAttemptLeft, Waiting
@@ -59,7 +60,9 @@ def ledger(connection: Connection, number: str, person: str | None) -> list[Line
         .order_by(submissions.c.time, submissions.c.receipt)
     )  # fmt: skip
     mine = query if person is None else query.where(deck.c.person == person)
-    return [Line(**row) for row in connection.execute(mine).mappings()]
+    opened = moments(connection, number)
+    rows = connection.execute(mine).mappings()
+    return [Line(**row, hints=before(opened, row["variant"], row["time"])) for row in rows]
 
 
 def waiting(connection: Connection) -> list[Waiting]:

@@ -9,6 +9,7 @@ from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, s
 
 from server.database.audit import noting
 from server.database.connections import Connections
+from server.database.hints import before, moments
 from server.language import DEFAULT
 from server.storage import Draft, Handed
 from server.storage.audit import Entry
@@ -108,10 +109,14 @@ def _lines(connection: Connection, task_set: str, person: str | None) -> list[Li
         whole_grade, grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
     )  # fmt: skip
     query = _graded(light, task_set, person).outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
+    opened = moments(connection, task_set)
     found = [
-        Line(slot, who, variant, receipt, at, whole or {"score": score, "verdicts": {}}, counted, attempt)
+        Line(
+            slot, who, variant, receipt, at, whole or {"score": score, "verdicts": {}}, counted, attempt,
+            before(opened, variant, at),
+        )
         for slot, who, variant, receipt, at, whole, score, counted, attempt in connection.execute(query).all()
-    ]
+    ]  # fmt: skip
     return sorted(
         found, key=lambda line: (line.time, line.receipt)
     )  # the database would sort whole rows, which takes longer

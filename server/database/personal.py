@@ -23,6 +23,7 @@ from server.tables import (
     drafts,
     grades,
     groups,
+    hints,
     links,
     marks,
     memberships,
@@ -63,6 +64,7 @@ def _kept(connection: Connection, number: str) -> Kept | None:
     about = select(*_named(marks, "submission", "answer", "share", "comment", "time"))
     extra = select(task_sets.c.title.label("set"), *_named(accommodations, "minutes", "reason")).join(accommodations)
     typed = select(*_named(drafts, "variant", "answers", "time")).join(variants)
+    opened = select(*_named(hints, "variant", "answer", "rung", "time")).join(variants)
     reported = select(*_named(problems, "variant", "text", "time"))
     return Kept(
         person=person[0],
@@ -73,6 +75,7 @@ def _kept(connection: Connection, number: str) -> Kept | None:
         submissions=_submissions(connection, mine),
         drafts=_rows(connection, typed.where(mine)),
         problems=_rows(connection, reported.where(problems.c.owner == number)),
+        hints=_rows(connection, opened.where(mine).order_by(hints.c.time)),
         marks=_rows(connection, about.where(marks.c.submission.in_(_receipts(mine))).order_by(marks.c.id)),
         extra=_rows(connection, extra.where(accommodations.c.person == number)),
         acts=[line_of(row) for row in connection.execute(_acts(number)).mappings()],

@@ -9,13 +9,25 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, bindparam, delete, exists, func, insert, select, update
 
-from server.database import attempts, deck
+from server.database import attempts, deck, hints
 from server.database.audit import note, noting
 from server.database.connections import Connections
 from server.sets.rules import Rules, Stage, window
 from server.storage import Marked
 from server.storage.audit import Entry
-from server.storage.sets import DRAFT, PUBLISHED, Card, DeadlinesMoved, Line, NotADraft, Place, Slot, TaskSet, Waiting
+from server.storage.sets import (
+    DRAFT,
+    PUBLISHED,
+    Card,
+    DeadlinesMoved,
+    Hint,
+    Line,
+    NotADraft,
+    Place,
+    Slot,
+    TaskSet,
+    Waiting,
+)  # fmt: skip
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
 
@@ -129,6 +141,14 @@ class Sets:
     async def move(self, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry] = ()) -> None:
         """Move the deadlines of sets from those that were seen to others, all together."""
         await self._connections.write(lambda connection: _move(connection, moves, entries))
+
+    async def open_hint(self, hint: Hint) -> None:
+        """Store that a step of a ladder was opened, once."""
+        await self._connections.write(lambda connection: hints.keep(connection, hint))
+
+    async def hints(self, variant: str) -> Sequence[Hint]:
+        """List the steps that were opened under the answers of a variant."""
+        return await self._connections.read(lambda connection: hints.of(connection, variant))
 
     async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:
         """Store a submission to a set, and its attempt, together."""

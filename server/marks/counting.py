@@ -68,7 +68,7 @@ def unsettled(
 
 
 def _entry(line: Line, given: Given, weights: Mapping[str, float], rules: Rules) -> Entry:
-    return Entry(line.receipt, line.time, earned(line, given, weights, rules), line.counted, bool(given))
+    return Entry(line.receipt, line.time, earned(line, given, weights, rules), line.counted, bool(given), line.hints)
 
 
 def _verdicts(line: Line) -> Iterable[tuple[str, Mapping[str, object]]]:

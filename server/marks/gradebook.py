@@ -49,6 +49,7 @@ class Cell:
         receipt: The submission that gives the points.
         late: Whether that came after the due moment of this student.
         by_hand: Whether a mark by hand decides over it.
+        hints: How many hints were opened at a price before it.
         open: What the lecturer has still to settle: undecided, fault, or none of them.
     """
 
@@ -61,6 +62,7 @@ class Cell:
     receipt: str | None
     late: bool
     by_hand: bool
+    hints: int
     open: str | None
 
     @property
@@ -244,7 +246,7 @@ def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Mater
     return Cell(
         slot, card, len(lines), sum(line.counted for line in lines), share, round((share or 0.0) * slot.points, 3),
         best.receipt if best else None, bool(best and own.due and best.time > own.due),
-        bool(best and best.settled), state,
+        bool(best and best.settled), best.hints if best else 0, state,
     )  # fmt: skip
 
 

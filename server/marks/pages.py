@@ -55,6 +55,7 @@ async def show_results(task_set: str, request: Request, bench: Tools, reader: As
     context = {
         "book": found,
         "summary": summary(found),
+        "priced": any(cell.hints for row in found.rows for cell in row.cells),
         "left": left[:MOST_OPEN],
         "more_left": len(left) - len(left[:MOST_OPEN]),
         "undecided": sum(one.code != Code.FAULT for one in left),

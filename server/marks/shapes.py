@@ -27,7 +27,7 @@ class ShownStudent(BaseModel):
 
 class ShownCell(BaseModel):
     """A task of a student. `state` is right, partly, wrong, unreadable, undecided, fault, or open for no work yet;
-    `provisional` says that the points can still change by what the lecturer settles."""
+    `provisional` says that the points can still change by what the lecturer settles; `hints` were opened at a price."""
 
     number: int
     state: str
@@ -36,6 +36,7 @@ class ShownCell(BaseModel):
     provisional: bool
     late: bool
     by_hand: bool
+    hints: int
     attempts: int
     submissions: int
     receipt: str | None
@@ -265,7 +266,8 @@ def _row(row: Row) -> ShownRow:
 def _cell(cell: Cell) -> ShownCell:
     return ShownCell(
         number=cell.slot.number, state=cell.state, points=cell.points, share=cell.share, provisional=cell.provisional,
-        late=cell.late, by_hand=cell.by_hand, attempts=cell.counted, submissions=cell.handed, receipt=cell.receipt,
+        late=cell.late, by_hand=cell.by_hand, hints=cell.hints, attempts=cell.counted, submissions=cell.handed,
+        receipt=cell.receipt,
         variant=cell.card.variant if cell.card else None, code=cell.card.code if cell.card else None,
     )  # fmt: skip
 

@@ -49,6 +49,7 @@ def draft_of_form(values: Mapping[str, str]) -> dict[str, Any]:
             "minutes": minutes or None,
             "hints": values.get("hints", "yes") != "no",
             "ladder": values.get("hints") == "ladder",
+            "hint_price": _share(values.get("hint_price", "0")),
             "late_loss": _share(values.get("late_loss", "10")),
             "follow_through": _share(values.get("follow_through", "100")),
             "second_chance_of": values.get("second_chance_of", "").strip() or None,

@@ -30,6 +30,7 @@ class Rules(BaseModel):
         keep: Whether the best or the last attempt gives the points.
         hints: Whether recognised slips are named.
         ladder: Whether a wrong answer may be helped on: first by what it follows from, then by its equation.
+        hint_price: The share lost, with each such hint opened, of the points of what is handed in to the task after it.
         solutions: When the worked solution opens; `after_close` is when the set has closed for everybody.
         follow_through: What a later answer is worth that is right from an earlier wrong one.
         second_chance_of: The set to which this one is a second chance.
@@ -43,6 +44,7 @@ class Rules(BaseModel):
     keep: Literal["best", "last"] = "best"
     hints: bool = True
     ladder: bool = False
+    hint_price: Annotated[float, Field(ge=0, le=1)] = 0.0
     solutions: Literal["never", "after_last_attempt", "after_close"] = "after_close"
     follow_through: Annotated[float, Field(ge=0, le=1)] = 1.0
     second_chance_of: Annotated[str, Field(max_length=32)] | None = None
@@ -118,6 +120,11 @@ def worth(time: datetime, due: datetime | None, rules: Rules) -> float:
     return max(0.0, 1 - rules.late_loss * ceil((time - due) / DAY))
 
 
+def left_of_hints(hints: int, rules: Rules) -> float:
+    """Give the share of the points that work can still reach after some hints were opened at their price."""
+    return max(0.0, 1 - rules.hint_price * hints)
+
+
 def same(one: Mapping[str, str | Sequence[str]], other: Mapping[str, str | Sequence[str]]) -> bool:
     """Tell whether two submissions say the same: space around an answer, and empty answers, do not matter."""
     return _said(one) == _said(other)
@@ -141,13 +148,14 @@ def _earned(verdict: Verdict, rules: Rules) -> float:
 @dataclass(frozen=True, slots=True)
 class Entry:
     """A line of the ledger: a submission, what share it earned, whether it used up an attempt, and whether the lecturer
-    has settled it."""
+    has settled it; `hints` were opened at a price before it."""
 
     receipt: str
     time: datetime
     share: float
     counted: bool
     settled: bool = False
+    hints: int = 0
 
 
 def result(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> float | None:
@@ -157,8 +165,12 @@ def result(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> float
 
 
 def reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
-    """Give the share of a slot's points that a submission reaches with its lateness."""
-    return round(entry.share * worth(entry.time, due, rules), PLACES)
+    """Give the share of a slot's points that a submission reaches with its lateness and the hints before it."""
+    return round(_reached(entry, due, rules), PLACES)
+
+
+def _reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
+    return entry.share * worth(entry.time, due, rules) * left_of_hints(entry.hints, rules)
 
 
 def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry | None:
@@ -169,7 +181,7 @@ def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry |
     judged = [entry for entry in ledger if entry.counted or entry.settled or entry.share > 0]
     if not judged or rules.keep == "last":
         return judged[-1] if judged else None
-    return max(judged, key=lambda entry: entry.share * worth(entry.time, due, rules))
+    return max(judged, key=lambda entry: _reached(entry, due, rules))
 
 
 def left(attempts: int | None, counted: int) -> int | None:

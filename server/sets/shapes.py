@@ -97,12 +97,13 @@ class ShownTaskSet(BaseModel):
 
 
 class LedgerLine(BaseModel):
-    """A submission of one's own; what an examination holds back has no score."""
+    """A submission of one's own; what an examination holds back has no score. `hints` were opened at a price before."""
 
     receipt: str
     time: datetime
     counted: bool
     score: float | None
+    hints: int
 
 
 class MyItem(BaseModel):
@@ -186,7 +187,9 @@ def my_set(own: Standing, share: float | None) -> MyTaskSet:
 
 def _my_item(task: Task, held: bool) -> MyItem:
     lines = [
-        LedgerLine(receipt=one.receipt, time=one.time, counted=one.counted, score=None if held else one.share)
+        LedgerLine(
+            receipt=one.receipt, time=one.time, counted=one.counted, score=None if held else one.share, hints=one.hints
+        )
         for one in task.ledger
     ]
     return MyItem(

@@ -26,6 +26,7 @@ class Kept:
         submissions: What was handed in, with its newest grade.
         drafts: What was typed and not handed in.
         problems: What was reported.
+        hints: Hints that were opened at a price.
         marks: What lecturers wrote beside submissions.
         extra: Extra time in sets.
         acts: What the audit log says the person did, or was done to the person.
@@ -39,6 +40,7 @@ class Kept:
     submissions: Sequence[Marked]
     drafts: Sequence[Row]
     problems: Sequence[Row]
+    hints: Sequence[Row]
     marks: Sequence[Row]
     extra: Sequence[Row]
     acts: Sequence[Line]

@@ -96,7 +96,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A submission of a student to a slot, with its newest grade."""
+    """A submission of a student to a slot, with its newest grade; `hints` were opened at a price before it."""
 
     slot: str
     person: str
@@ -106,6 +106,17 @@ class Line:
     grade: Mapping[str, Any]
     counted: bool
     attempt: int | None
+    hints: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Hint:
+    """A step of the ladder under an answer that was opened at its price; the first one is 1."""
+
+    variant: str
+    answer: str
+    rung: int
+    time: datetime
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,6 +244,14 @@ class Sets(Protocol):
         Raises:
             DeadlinesMoved: Those of one are not as they were seen; nothing was stored.
         """
+        ...
+
+    async def open_hint(self, hint: Hint) -> None:
+        """Store that a step of a ladder was opened; one that is open stays as it is."""
+        ...
+
+    async def hints(self, variant: str) -> Sequence[Hint]:
+        """List the steps that were opened at a price under the answers of a variant, in order."""
         ...
 
     async def keep_attempt(self, marked: Marked, limit: int | None) -> tuple[Marked, bool]:

@@ -5,11 +5,11 @@ from server.tables.courses import courses, groups, memberships
 from server.tables.jobs import batches, jobs
 from server.tables.people import api_tokens, links, persons, sessions
 from server.tables.practice import grades, owners, settings, submissions, variants
-from server.tables.sets import accommodations, attempts, deck, slots, task_sets
+from server.tables.sets import accommodations, attempts, deck, hints, slots, task_sets
 from server.tables.work import audit, drafts, marks, problems
 
 __all__ = [
     "accommodations", "api_tokens", "attempts", "audit", "batches", "courses", "deck", "drafts", "grades", "groups",
-    "jobs", "links", "marks", "memberships", "metadata", "owners", "persons", "problems", "sessions", "settings",
-    "slots", "submissions", "task_sets", "variants",
+    "hints", "jobs", "links", "marks", "memberships", "metadata", "owners", "persons", "problems", "sessions",
+    "settings", "slots", "submissions", "task_sets", "variants",
 ]  # fmt: skip

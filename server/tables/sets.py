@@ -62,6 +62,14 @@ attempts = Table(
     Column("submission", ForeignKey("submissions.receipt"), nullable=False, unique=True),
 )  # fmt: skip
 
+hints = Table(
+    "hints", metadata,
+    Column("variant", ForeignKey("variants.id"), primary_key=True),
+    Column("answer", String(64), primary_key=True),
+    Column("rung", Integer, primary_key=True),  # from 1: posts that race cannot take the same one twice
+    Column("time", Moment, nullable=False),
+)  # fmt: skip
+
 accommodations = Table(
     "accommodations", metadata,
     Column("task_set", ForeignKey("task_sets.id"), primary_key=True),

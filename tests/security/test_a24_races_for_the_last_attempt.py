@@ -1,4 +1,4 @@
-"""A24: a hundred posts at once with one attempt left use up exactly one; first opens at once deal one card."""
+"""A24: a hundred posts at once use up the last attempt once, first opens deal one card, clicks buy a hint once."""
 
 from __future__ import annotations
 
@@ -32,3 +32,14 @@ def test_first_opens_at_once_deal_one_card(course: Course) -> None:
     with ThreadPoolExecutor(20) as pool:
         replies = list(pool.map(lambda _: course.open(number).json()["id"], range(20)))
     assert len(set(replies)) == 1
+
+
+def test_a_hundred_clicks_buy_a_hint_once(course: Course) -> None:
+    number = course.published(rules={"ladder": True, "hint_price": 0.2}, item={"attempts": None})
+    variant = course.variant(number)
+    course.hand_in(variant, {"l3": "9 m"})
+    step = {"answer": "l3", "rung": "1"}
+    with ThreadPoolExecutor(20) as pool:
+        replies = list(pool.map(lambda _: course.student.post(f"/variants/{variant}/hints", data=step), range(100)))
+    assert Counter(reply.status_code for reply in replies) == {303: 100}
+    assert [one.rung for one in course.school.portal.call(course.school.bench.sets.hints, variant)] == [1]

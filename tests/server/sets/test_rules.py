@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
@@ -132,6 +133,15 @@ def test_a_better_attempt_never_lowers_the_score(
     time = OPENS + timedelta(hours=6 + hours)
     if better * worth(time, DUE, rules) >= before:
         assert (result([*entries(*shares), Entry("new", time, better, True)], DUE, rules) or 0.0) >= before
+
+
+def test_a_hint_takes_its_price_from_what_comes_after_it() -> None:
+    late = Entry("R2", DUE + SECOND, 1.0, True, hints=1)
+    ledger = [Entry("R1", OPENS, 0.7, True), replace(late, time=DUE)]
+    assert result(ledger, DUE, Rules(hint_price=0.2)) == 0.8 and result(ledger, DUE, Rules()) == 1.0
+    assert result(ledger, DUE, Rules(hint_price=0.5)) == 0.7
+    assert result([replace(late, hints=3)], DUE, Rules(hint_price=0.5)) == 0.0
+    assert result([late], DUE, Rules(late="reduced", late_loss=0.1, hint_price=0.2)) == 0.72
 
 
 def test_attempts_left() -> None:

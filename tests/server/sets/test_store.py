@@ -15,7 +15,7 @@ from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.marks import Mark, Progress
-from server.storage.sets import Card, DeadlinesMoved, NoAttemptLeft, NotADraft, Slot, TaskSet
+from server.storage.sets import Card, DeadlinesMoved, Hint, NoAttemptLeft, NotADraft, Slot, TaskSet
 from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, slot
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
@@ -233,6 +233,23 @@ def test_drafts_of_an_examination_that_were_not_handed_in_wait(school: School) -
     more = replace(later, time=NOW + timedelta(minutes=3), revision=4)
     assert asyncio.run(school.one.practice.keep_draft(more)) == (more, True)
     assert asyncio.run(school.one.sets.waiting()) == []  # no attempt is left for it
+
+
+def test_of_a_hundred_clicks_one_opens_a_hint_and_later_work_tells_of_it(school: School) -> None:
+    task_set = school.published()
+    dealt = school.opened(task_set.slots[0], "anna")
+    assert dealt.variant is not None
+    hint = Hint(dealt.variant, "l3", 1, NOW + timedelta(minutes=2))
+
+    async def race() -> None:
+        await asyncio.gather(*((school.one, school.two)[n % 2].sets.open_hint(hint) for n in range(100)))
+
+    asyncio.run(race())
+    assert asyncio.run(school.two.sets.hints(dealt.variant)) == [hint]
+    for at in (1, 2, 3):
+        school.keep(dealt, f"{dealt.id} {at}", None, time=NOW + timedelta(minutes=at))
+    for lines in (school.one.sets.ledger(task_set.id), school.one.marks.lines(task_set.id)):
+        assert [line.hints for line in asyncio.run(lines)] == [0, 1, 1]
 
 
 def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: School) -> None:
