@@ -9,15 +9,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi
 
-from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given, option
-from exercises.givens import numbers
+from exercises.exercise import Mistake, Steps, given, option
 from exercises.manipulators import _arm
-from exercises.manipulators._arm import Side, Sides, motion
-from exercises.manipulators._arm.drawing import accelerations, angles, clear, lengths, rates
+from exercises.manipulators._arm import Side, Sides
+from exercises.manipulators._arm.laboratory import MEASURED, Elbow, Laboratory
 from exercises.manipulators._arm.motion import Arm
-from figures.machine import Machine, Pair
-from graders import States
-from graders.polygon.mechanism import Mechanism
+from figures.machine import Pair
 
 LINKS = (Side("l_BC", "Theta2", "Theta2_d", "Theta2_dd"), Side("l_CD", "alpha3", "omega3", "epsilon3"))
 SIDES: dict[str, Sides] = {
@@ -28,6 +25,7 @@ WITH_THE_LINK: dict[str, Sides] = {  # the slide taken to turn with BC
     "horizontal": (Side("h1", "Theta2", slides=True), *LINKS),
     "vertical": (Side("h1", "(Theta2 + pi/2)", slides=True), *LINKS),
 }
+ELBOW = Elbow("Theta2", "Theta3", "alpha3")
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,57 +41,19 @@ class Givens:
     h1_dd: float = given(-1, 1)  # m/s^2
     Theta2_dd: float = given(-3, 3)  # rad/s^2
     Theta3_dd: float = given(-3, 3)  # rad/s^2
-    measured: str = option("relative", "absolute")
+    measured: str = option(*MEASURED)
     slide: str = option("vertical", "horizontal")
-
-
-def draw(rng: Draw) -> Givens:
-    """Draw whole centimetres and degrees; no result is the small difference of large terms."""
-    placed, kind = (
-        lengths(rng) + angles(rng),
-        (rng.pick(("relative", "absolute")), rng.pick(("vertical", "horizontal"))),
-    )
-    drawn = Givens(*placed, *rates(rng, "PRR"), *accelerations(rng, "PRR"), *kind)
-    if not clear(numbers(drawn), steps(drawn), SIDES[drawn.slide]):
-        rng.reject()
-    return drawn
-
-
-def turned(relative: bool) -> Steps:
-    """Write direction and turning of the last link, where its coordinate is relative or not."""
-    marks = {"alpha3": "", "omega3": "_d", "epsilon3": "_dd"}
-    return {name: (f"Theta2{mark} + " if relative else "") + f"Theta3{mark}" for name, mark in marks.items()}
 
 
 def steps(givens: Givens) -> Steps:
     """Direction of the last link, then all that follows from the polygon."""
-    return _arm.steps(turned(givens.measured == "relative"), SIDES[givens.slide])
+    return _arm.steps(ELBOW.turned(givens.measured == "relative"), SIDES[givens.slide])
 
 
 def arm(givens: Givens) -> Arm:
     """Give the arm as bodies: 1 the slide, 2 BC, 3 CD with the gripper."""
     turn, datum = 0.0 if givens.slide == "horizontal" else pi / 2, 2 if givens.measured == "relative" else 0
     return Arm((Pair("slide", "h1", turn=turn), Pair("turn", "Theta2"), Pair("turn", "Theta3", "l_BC", datum)), "l_CD")
-
-
-def oracle(givens: Givens) -> Values:
-    """The same names by another way: bodies and joints, Newton's method, linear equations for the rates."""
-    return motion.oracle(arm(givens), numbers(givens), doubled="l_BC")
-
-
-def judged_by(givens: Givens, values: Values, states: States) -> Mechanism:
-    """Give the true motion at the drawn states."""
-    return motion.mechanism(arm(givens), SIDES[givens.slide], steps(givens), states)
-
-
-def machine(givens: Givens) -> Machine:
-    """Give the arm as the page of the laboratory moves it."""
-    return motion.machine(arm(givens), SIDES[givens.slide])
-
-
-def rate_alone(givens: Givens) -> Steps:
-    """The turning of the last link taken from its own coordinate only."""
-    return {"omega3": "Theta3_d", "epsilon3": "Theta3_dd"} if givens.measured == "relative" else {}
 
 
 def slide_turned(givens: Givens) -> Steps:
@@ -117,24 +77,20 @@ def push_lost(givens: Givens) -> Steps:
     return {"a_x": own["a_x"], "a_y": own["a_y"]}
 
 
-EXERCISE = Exercise(
+EXERCISE = Laboratory(
     systems=("VP-8", "RP-2"),
     givens=Givens,
-    draw=draw,
+    joints="PRR",
+    slides=("vertical", "horizontal"),
+    elbow=ELBOW,
     steps=steps,
-    oracle=oracle,
-    answers=_arm.answers(),
-    references=_arm.references(judged_by),
+    arm=arm,
+    sides=lambda givens: SIDES[givens.slide],
+    doubled="l_BC",
     mistakes={
-        "angle_of_the_other_kind": Mistake(lambda g: turned(g.measured != "relative")),
-        "rate_alone": Mistake(rate_alone),
         "slide_turned": Mistake(slide_turned),
         "coriolis_invented": Mistake(coriolis_invented),
         "push_lost": Mistake(push_lost),
-        "degrees_as_radians": Mistake(Theta2="Theta2*180/pi", Theta3="Theta3*180/pi"),
-        **_arm.slips(lambda g: SIDES[g.slide], carried=False),
     },
-    report=_arm.REPORT,
-    machine=machine,
-    minutes=90,
-)
+    carried=False,
+).exercise()
