@@ -11,6 +11,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from exercises import catalogue, grading
+from exercises.exercise import Variant
 from exercises.solving import Solved
 from exercises.variants import deal, dump
 from graders import Quantity
@@ -28,9 +29,13 @@ def numbers(text: str) -> Iterator[float]:
 
 
 def secrets_of(exercise: str, seed: int) -> tuple[list[float], list[str]]:
+    """What the variant of a seed hides."""
+    return secrets_in(deal(exercise, seed))
+
+
+def secrets_in(variant: Variant) -> tuple[list[float], list[str]]:
     """The reference values in SI and in the unit of the field, and the reference texts of the formulas."""
-    variant = deal(exercise, seed)
-    solved = Solved(catalogue.load(exercise).exercise, variant)
+    solved = Solved(catalogue.load(variant.exercise).exercise, variant)
     asked = [
         (abs(float(solved.values[solved.step_of(name)])), read_unit(grader.unit).factor)  # type: ignore[arg-type]
         for name, grader in solved.answers.items()
