@@ -32,7 +32,7 @@ from graders.solutions.scene import (
     moved,
     used_symbols,
 )
-from graders.solutions.zeros import Line, Zero, crossing, scanned
+from graders.solutions.zeros import Line, Zero, away, crossing, scanned
 
 DRAWS = 4  # points at which the ratio is tested
 ENOUGH = 3  # zeros of each side that the other must share
@@ -234,10 +234,16 @@ class Pair:
         symbols, moving = self._affine(factor), ((self.unknown,), used, others)
         yield from self._in_branches(factor, symbols)
         affine = [at for at in symbols if at in others]
+        left = []
         for k, start in enumerate(islice(extreme(self.scene), STARTS)):
             zero = self._beside(factor.side, start, affine)
-            if zero is None and (not affine or count < ENOUGH):
-                zero = descended(factor.side, start, moving[k % 3])
+            if zero is None:
+                left.append((start, moving[k % 3]))
+            else:
+                count += 1
+                yield zero
+        for start, along in left:
+            zero = descended(factor.side, start, along) if not affine or count < ENOUGH else None
             if zero is not None:
                 count += 1
                 yield zero
@@ -254,7 +260,8 @@ class Pair:
 
     def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
         for at in affine[:3]:
-            zero = crossing(Line(side, start, at))
+            line = Line(side, start, at)
+            zero = None if away(line) else crossing(line)
             if zero is not None:
                 return zero
         return None

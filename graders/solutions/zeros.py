@@ -15,6 +15,7 @@ DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
 NEAR, FAR = arb(2) ** -88, arb(2) ** -40  # of the range: where another residual is compared with its value at a zero
 TINY = arb(2) ** -150
 STEEP = arb(2) ** 20
+AWAY = 1e-6  # of the greater value at an end: with less at the other one there may be a zero after all
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +97,12 @@ def crossing(line: Line) -> Zero | None:
         return None
     place = one - first * (two - one) / (second - first)
     return line.zero(place) if line.side.scene.inside(line.at, place) else None
+
+
+def away(line: Line) -> bool:
+    """Tell in doubles whether a residual that is affine in the symbol has one sign at both ends of the range."""
+    before, after = (line.double(end) for end in line.ends)
+    return before * after > 0 and min(abs(before), abs(after)) > AWAY * max(abs(before), abs(after))
 
 
 def negligible(value: arb, beside: Sequence[arb]) -> bool:
