@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import logging
 from dataclasses import replace
 from datetime import UTC, datetime
 from functools import lru_cache
+from time import monotonic
 
 from exercises import verifying
 from exercises.exercise import Grade, Submission, Variant
@@ -24,6 +26,7 @@ from server.storage import KeyReused, Marked, Problem
 from server.storage.sets import PUBLISHED, Card, NoAttemptLeft, Place, Slot, TaskSet, Waiting
 
 MOST_OPEN = 10  # reported problems of one variant
+EXAM_SECONDS = 0.1  # that judging lasts at least while results are held back
 log = logging.getLogger("grubler")
 
 
@@ -149,13 +152,17 @@ def faulty(marked: Marked) -> bool:
 async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bool = False) -> tuple[Grade, bool]:
     """Grade answers to a card: by what was kept of it, with the score it has under the rules of the set.
 
-    Where attempts are limited an unreadable answer stops the judging, unless the `whole` is to be judged.
+    Where attempts are limited an unreadable answer stops the judging, unless the `whole` is to be judged. In an
+    examination it lasts a while at least: a wrong answer is looked through for slips, and that time would tell.
 
     Returns:
         The grade, and whether the installed exercise still leads to what was kept.
     """
+    begun = monotonic()
     limited = place.slot.attempts is not None and not whole
     grade, sound = await bench.judging.run(_judged, place.card, submission, bench.secret, limited)
+    if is_exam(place) and not whole:
+        await asyncio.sleep(begun + EXAM_SECONDS - monotonic())
     return replace(grade, score=share(grade.verdicts, weights_of(place.card), rules_of(place.task_set))), sound
 
 
