@@ -48,6 +48,7 @@ from server.jobs import api as job_api
 from server.jobs import pages as job_pages
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
+from server.jobs.streams import Streams
 from server.jobs.working import Bureau
 from server.judging import Judging, JudgingThread
 from server.limits import Limiter
@@ -161,7 +162,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     engine = Engine(bureau, SERVER, settings.workers or 1)
     app.state.bench = Bench(
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
-        passwords, database.sets, database.audit, database.jobs, engine, database.personal, database.marks,
+        passwords, database.sets, database.audit, database.jobs, engine, database.personal, database.marks, Streams(),
     )  # fmt: skip
     await _purge(database.practice, database.jobs)
     purging = asyncio.create_task(_purge_daily(database.practice, database.jobs))

@@ -8,6 +8,7 @@ from typing import Annotated
 from fastapi import Depends, Request
 
 from server.jobs.engine import Engine
+from server.jobs.streams import Streams
 from server.judging import Judging
 from server.limits import Limiter
 from server.passwords import Passwords
@@ -42,6 +43,7 @@ class Bench:
     engine: Engine
     personal: Personal
     marks: Marks
+    streams: Streams
 
 
 async def bench(request: Request) -> Bench:

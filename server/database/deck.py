@@ -34,9 +34,10 @@ def append(connection: Connection, card: Card) -> None:
     add(connection, [changed(card, number=last + 1)])
 
 
-def of_set(connection: Connection, number: str) -> list[Card]:
-    """List the cards of a set by slot and number."""
+def of_set(connection: Connection, number: str, slot: int | None) -> list[Card]:
+    """List the cards of a set, or of one of its slots, by slot and number."""
     query = select(deck).join(slots).where(slots.c.task_set == number).order_by(slots.c.number, deck.c.number)
+    query = query if slot is None else query.where(slots.c.number == slot)
     return [Card(**row) for row in connection.execute(query).mappings()]
 
 

@@ -75,16 +75,9 @@ class Sets:
         query = select(memberships.c.person).where(*mine).order_by(memberships.c.joined, memberships.c.person)
         return await self._connections.read(lambda connection: list(connection.execute(query).scalars()))
 
-    async def publish(
-        self, number: str, revision: int, dealt: Sequence[Card], now: datetime, entry: Entry | None = None
-    ) -> None:
-        """Store the deck of a draft and publish it, together."""
-        publish = partial(_publish, number=number, revision=revision, dealt=dealt, now=now)
-        await self._connections.write(noting(publish, entry))
-
-    async def deck(self, number: str) -> Sequence[Card]:
-        """List the cards of a set by slot and number."""
-        return await self._connections.read(lambda connection: deck.of_set(connection, number))
+    async def deck(self, number: str, slot: int | None = None) -> Sequence[Card]:
+        """List the cards of a set, or of one of its slots, by slot and number."""
+        return await self._connections.read(lambda connection: deck.of_set(connection, number, slot))
 
     async def numbers(self, number: str) -> Sequence[tuple[int, str | None]]:
         """List the numbers of the cards of the first task, and for whom each is kept."""
@@ -206,13 +199,6 @@ def _move(connection: Connection, moves: Sequence[tuple[TaskSet, TaskSet]], entr
             raise DeadlinesMoved(old.id)
     for entry in entries:
         note(connection, entry)
-
-
-def _publish(connection: Connection, number: str, revision: int, dealt: Sequence[Card], now: datetime) -> None:
-    draft = task_sets.c.id == number, task_sets.c.state == DRAFT, task_sets.c.revision == revision
-    if connection.execute(update(task_sets).where(*draft).values(state=PUBLISHED, published=now)).rowcount != 1:
-        raise NotADraft(number)
-    deck.add(connection, dealt)
 
 
 def _sets(connection: Connection, query: Select[tuple[object, ...]]) -> list[TaskSet]:

@@ -14,9 +14,10 @@ from starlette.responses import StreamingResponse
 
 from server.bench import Bench, Tools
 from server.courses import HERE
-from server.errors import Refused
+from server.errors import Failure, Refused
 from server.jobs.kinds import KINDS
-from server.reader import COURSES, admit
+from server.jobs.streams import AGAIN, Stream
+from server.reader import COURSES, Asking, admit
 from server.storage.jobs import Job
 
 LOOK = 0.5  # s between two looks at a job that is watched
@@ -60,15 +61,17 @@ async def show_job(job: str, bench: Tools) -> ShownJob:
 @router.get(
     "/jobs/{job}/events",
     response_class=StreamingResponse,
-    responses=HERE | {200: {"content": {"text/event-stream": {}}}},
+    responses=HERE | {200: {"content": {"text/event-stream": {}}}, 429: {"model": Failure}},
 )
-async def watch_job(job: str, bench: Tools) -> StreamingResponse:
+async def watch_job(job: str, bench: Tools, reader: Asking) -> StreamingResponse:
     """Send the progress of a job as server-sent events, until it has ended.
 
-    A stream ends after some time, too; a browser opens it again by itself.
+    A stream ends after some time, too; a browser opens it again by itself. One person has only so many open at once.
     """
-    found = await job_of(bench, job)
-    return StreamingResponse(_events(bench, found), media_type="text/event-stream")
+    found, name = await job_of(bench, job), reader.owner_id or ""
+    if not bench.streams.enter(name):
+        raise Refused(429, "too_many", headers={"Retry-After": str(AGAIN)}, seconds=AGAIN)
+    return Stream(bench.streams, name, _events(bench, found))
 
 
 @router.post("/jobs/{job}/cancel", responses=HERE)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import asyncio
 from datetime import UTC, datetime
 from typing import Annotated, Any, Literal
 
 from fastapi import APIRouter, Depends, Path, Query, Response
 
-from reports import formats, sheets
+from reports import formats
 from server import audit
 from server.audit import actor_of
 from server.bench import Bench, Tools
@@ -193,12 +192,12 @@ async def print_sheets(
     """Print the cards of a task, one sheet a card; or their key, for lecturers only."""
     found = await set_of(bench, reader, task_set)
     slot = slot_of(found, number)
-    cards = [card for card in await bench.sets.deck(found.id) if card.slot == slot.id][:most]
+    cards = (await bench.sets.deck(found.id, slot.number))[:most]
     if not cards:
         raise Refused(409, "set_is_draft")
-    dealt = [printing.sheet(card.code, card.shown[reader.language], card.reference["texts"]) for card in cards]
-    made = await asyncio.to_thread(sheets.key if key else sheets.sheets, dealt, reader.language)
-    content = await asyncio.to_thread(formats.written, made, form)
+    shown = ((card.code, card.shown[reader.language], card.reference["texts"]) for card in cards)
+    given = printing.Printed(reader.language, key, tuple(shown))
+    (content,) = await bench.judging.apart(printing.document, [(given, form)])
     attached = {"Content-Disposition": f'attachment; filename="{"key" if key else "sheets"}-{number}.{form}"'}
     return Response(content, media_type=formats.MEDIA[form], headers=attached)
 

@@ -14,7 +14,7 @@ from pydantic import TypeAdapter
 from sqlalchemy import Connection, select
 
 from exercises.presenting import Presented
-from reports import pdf, sheets
+from reports import formats, sheets
 from reports.sheets import Sheet
 from server import ids
 from server.storage.jobs import DONE, Batch, Ending, Job, Jobs, Json, Kept, Kind, Order
@@ -79,8 +79,13 @@ def read(connection: Connection, batch: Batch) -> Printed:
 
 def compute(secret: bytes, given: Printed) -> bytes:
     """Print one document."""
+    return document(given, "pdf")
+
+
+def document(given: Printed, form: str) -> bytes:
+    """Write one document in a form; long work, to be done apart from the judging."""
     make = sheets.key if given.key else sheets.sheets
-    return pdf.pdf(make([sheet(*card) for card in given.cards], given.language))
+    return formats.written(make([sheet(*card) for card in given.cards], given.language), form)
 
 
 def write(connection: Connection, batch: Batch, outcome: bytes) -> Kept:

@@ -168,18 +168,8 @@ class Sets(Protocol):
         """List the students of a course, in the order of joining."""
         ...
 
-    async def publish(
-        self, number: str, revision: int, cards: Sequence[Card], now: datetime, entry: Entry | None = None
-    ) -> None:
-        """Store the deck of a draft and publish it, together.
-
-        Raises:
-            NotADraft: It is published already, or has changed since its deck was drawn.
-        """
-        ...
-
-    async def deck(self, number: str) -> Sequence[Card]:
-        """List the cards of a set by slot and number."""
+    async def deck(self, number: str, slot: int | None = None) -> Sequence[Card]:
+        """List the cards of a set, or of one of its slots, by slot and number."""
         ...
 
     async def numbers(self, number: str) -> Sequence[tuple[int, str | None]]:

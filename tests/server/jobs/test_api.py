@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from server.jobs import api
+from server.jobs import streams as streams_of
 from server.jobs.kinds import KINDS
 from server.judging import JudgingThread
 from server.settings import Settings
@@ -72,6 +73,23 @@ def test_a_silent_job_gives_a_sign_of_life(school: School, monkeypatch: pytest.M
     number = started(school, [1, 0.6])
     text = school.browser("assistant").get(f"/api/v1/jobs/{number}/events").text
     assert ": still here\n\n" in text and text.startswith("retry:")
+
+
+def test_one_person_has_so_many_streams_open_and_a_server_so_many(school: School) -> None:
+    lecturer, streams, me = school.browser("lecturer"), school.bench.streams, school.people["lecturer"]
+    number = started(school, 1)
+    events = f"/api/v1/jobs/{number}/events"
+    taken = [streams.enter(me) for _ in range(streams_of.MOST_OF_ONE + 1)]
+    refused = lecturer.get(events)
+    assert (taken.count(True), refused.status_code) == (streams_of.MOST_OF_ONE, 429)
+    assert refused.headers["retry-after"] == str(streams_of.AGAIN)
+    streams.leave(me)
+    assert lecturer.get(events).status_code == 200
+    assert streams.open[me] == streams_of.MOST_OF_ONE - 1  # the stream that ended has given its place back
+    others = [streams.enter(f"person {n}") for n in range(streams_of.MOST)]
+    assert others.count(True) == streams_of.MOST - streams.open[me]
+    assert lecturer.get(events).status_code == 429
+    streams.open.clear()
 
 
 def test_the_page_looks_again_until_the_job_has_ended(school: School) -> None:

@@ -25,7 +25,7 @@ from server.storage.jobs import Job
 from server.storage.sets import Card
 from server.tables import grades
 from tests.server.jobs.counting import Here
-from tests.server.sets.classroom import NOW, SET, draft
+from tests.server.sets.classroom import NOW, SET, draft, publish
 
 SECRET = b"the secret of the regrade"
 STUDENTS = ("anna", "bob", "celia")
@@ -85,13 +85,13 @@ class Class:
         return line
 
 
-async def published(database: Database) -> dict[str, Card]:
+async def published(url: str, database: Database) -> dict[str, Card]:
     """Publish, deal and hand in: one right, one with a slip that is followed, one unreadable besides."""
     made = replace(draft(slots=1), rules=RULES.model_dump(mode="json"))
     await database.sets.add(made)
     drawn = [dealing.card(who, deal("slider_crank", seed)) for seed, who in enumerate(STUDENTS, 7)]
     cards = [stored(made.slots[0].id, number, one, one.seat) for number, one in enumerate(drawn, 1)]
-    await database.sets.publish(SET, 1, cards, NOW)
+    publish(url, made, cards)
     dealt = {}
     for who in STUDENTS:
         card = await database.sets.open(made.slots[0], who, f"variant of {who}", NOW)

@@ -29,7 +29,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     url = lay(Settings(tmp_path))
     enrol(url, STUDENTS)
     database = Database(url)
-    school = Class(url, database, asyncio.run(published(database)))
+    school = Class(url, database, asyncio.run(published(url, database)))
     older = other_grade(school.grades("anna")[0]["grade"], 0.8, l3=("wrong", 0.0))
     school.do(update(grades).where(grades.c.submission == "anna").values(grade=older, grader_version="0"))
     database.close()

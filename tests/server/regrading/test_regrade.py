@@ -23,7 +23,7 @@ def made(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactor
     address = lay(Settings(tmp_path_factory.mktemp("regrade"), database_url=url))
     enrol(address, STUDENTS)
     database = Database(address)
-    cards = asyncio.run(published(database))
+    cards = asyncio.run(published(address, database))
     yield Class(address, database, cards)
     database.close()
 

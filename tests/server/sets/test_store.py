@@ -16,7 +16,7 @@ from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.marks import Mark, Progress
 from server.storage.sets import Card, DeadlinesMoved, Hint, NoAttemptLeft, NotADraft, Slot, TaskSet
-from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, slot
+from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, publish, slot
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
 
@@ -41,7 +41,7 @@ class School:
         """Publish one: cards for Anna and Bob, and two spares."""
         new = self.draft(**changes)
         seats = list(enumerate(("anna", "bob", None, None), 1))
-        asyncio.run(self.one.sets.publish(new.id, 1, [card(of, n, who) for of in new.slots for n, who in seats], NOW))
+        publish(self.url, new, [card(of, n, who) for of in new.slots for n, who in seats])
         return new
 
     def opened(self, slot: Slot, who: str, variant: str = "") -> Card:
@@ -86,9 +86,10 @@ def test_a_draft_is_changed_over_its_own_revision_only(school: School) -> None:
 
 def test_what_is_published_is_frozen(school: School) -> None:
     old = school.published()
-    for attempt in (school.one.sets.change(replace(old, revision=2), 1), school.one.sets.publish(old.id, 1, [], NOW)):
-        with pytest.raises(NotADraft):
-            asyncio.run(attempt)
+    with pytest.raises(NotADraft):
+        asyncio.run(school.one.sets.change(replace(old, revision=2), 1))
+    with pytest.raises(NotADraft):
+        publish(school.url, old, [])
     assert asyncio.run(school.one.sets.task_set(old.id)) == replace(old, state="published", published=NOW)
 
 
@@ -96,7 +97,7 @@ def test_a_deck_of_an_older_draft_is_not_published(school: School) -> None:
     old = school.draft()
     asyncio.run(school.one.sets.change(replace(old, revision=2), 1))
     with pytest.raises(NotADraft):
-        asyncio.run(school.one.sets.publish(old.id, 1, [card(old.slots[0], 1)], NOW))
+        publish(school.url, old, [card(old.slots[0], 1)])
     assert asyncio.run(school.one.sets.deck(old.id)) == []
 
 
@@ -256,7 +257,7 @@ def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: S
     new = school.draft()
     weighted = {"en": {"answers": {"l3": {"weight": 2.0}, "v3": {"weight": 1.0}}}}
     cards = [replace(card(of, 1, "anna"), shown=weighted) for of in new.slots]
-    asyncio.run(school.one.sets.publish(new.id, 1, cards, NOW))
+    publish(school.url, new, cards)
     mine = school.opened(new.slots[0], "anna")
     school.opened(new.slots[1], "anna")
     for at in (1, 2):
