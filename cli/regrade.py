@@ -21,6 +21,8 @@ def arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--task-set", metavar="ID", required=True, help="the set, by its number")
     parser.add_argument("--dry-run", action="store_true", help="only tell what would change")
     parser.add_argument("--allow-lower", action="store_true", help="let a lower score replace a higher one")
+    parser.add_argument("--recompute-references", action="store_true", help="solve the dealt givens anew where the "
+                        "installed exercise does not lead to what was kept")  # fmt: skip
     parser.add_argument("--format", choices=("text", "json"), default="text", help="how to print (default: text)")
     language(parser)
 
@@ -29,7 +31,7 @@ def run(options: Namespace) -> int:
     """Print every change in a line, then how many there are of each kind."""
     told = _as_json if options.format == "json" else _as_text(options.lang)
     with store.usable():
-        wish = {"dry_run": options.dry_run, "allow_lower": options.allow_lower}
+        wish = {name: getattr(options, name) for name in ("dry_run", "allow_lower", "recompute_references")}
         job = server.regrade(store.settings(options), options.task_set, told, **wish)
     if job.state != "done":
         print(say(options.lang, "regrade_failed", number=job.id))
@@ -38,6 +40,8 @@ def run(options: Namespace) -> int:
         print(json.dumps({"job": job.id, "dry_run": job.payload["dry_run"], "counts": job.result}))
     else:
         print(say(options.lang, "regraded", **{name: job.result[name] for name in COUNTS}))
+        if options.recompute_references:
+            print(say(options.lang, "recomputed", number=job.result["recomputed"]))
     return PASSED
 
 
@@ -47,6 +51,10 @@ def _as_json(change: Mapping[str, Any]) -> None:
 
 def _as_text(lang: str) -> Any:
     def told(change: Mapping[str, Any]) -> None:
+        if "steps" in change:
+            values = (f"{one['name']}: {one['old']} -> {one['new']}" for one in (*change["steps"], *change["texts"]))
+            print("; ".join([change["code"], *values]))
+            return
         scores = f"{change['old']:.3g} -> {change['new']:.3g}"
         answers = (f"{one['name']}: {_code(one['old'])} -> {_code(one['new'])}" for one in change["answers"])
         stale = [say(lang, "needs_regrade")] if change["stale"] else []

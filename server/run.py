@@ -119,9 +119,7 @@ def check_log(settings: Settings, earlier: End | None) -> Checked:
         database.close()
 
 
-def regrade(
-    settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], *, dry_run: bool, allow_lower: bool
-) -> Job:
+def regrade(settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], **wish: bool) -> Job:
     """Judge again what was handed in to a set, and tell every change; gives the job once it has ended.
 
     Raises:
@@ -131,7 +129,7 @@ def regrade(
         migrate(settings)
     elif not migrations.current(settings.store_url):
         raise SettingsError("the database lacks migrations: run `grubler migrate` first")
-    return command.run(settings, task_set, tell, dry_run=dry_run, allow_lower=allow_lower)
+    return command.run(settings, task_set, tell, **wish)
 
 
 def migrate(settings: Settings) -> None:

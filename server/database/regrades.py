@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from itertools import groupby
 from typing import Any
 
-from sqlalchemy import Connection, Select, func, insert, select
+from sqlalchemy import Connection, Select, func, insert, select, update
 
 from graders.words import LANGUAGES
 from server.database.audit import note
@@ -21,16 +21,17 @@ TIMED_OUT = "time-out "  # begins the body of a collected draft; that of what wa
 STORED = (deck.c.exercise, deck.c.version, deck.c.seed, deck.c.givens)
 
 
-def pieces(connection: Connection, task_set: str) -> list[Json]:
-    """Cut what was handed in to a set into batches: first and last variant of each."""
+def pieces(connection: Connection, task_set: str, whole: bool) -> list[Json]:
+    """Cut what was handed in to a set, or its whole deck, into batches: first and last card of each."""
     number = func.count().label("number")
-    query = _of_set(select(deck.c.variant, number).join(submissions, submissions.c.variant == deck.c.variant), task_set)
+    handed = submissions.c.variant == deck.c.variant
+    query = _of_set(select(deck.c.id, number).join(submissions, handed, isouter=whole), task_set)
     made, size = list[Json](), BATCH
-    for variant, submitted in connection.execute(query.group_by(deck.c.variant).order_by(deck.c.variant)):
+    for card, submitted in connection.execute(query.group_by(deck.c.id).order_by(deck.c.id)):
         if size >= BATCH:
-            made.append([variant, variant])
+            made.append([card, card])
             size = 0
-        made[-1][1] = variant
+        made[-1][1] = card
         size += submitted
     return made or [["", ""]]  # nothing was handed in: one batch says so
 
@@ -43,20 +44,29 @@ def read(connection: Connection, batch: Batch) -> Lot:
     """Read the cards of a batch, and what was handed in to them."""
     task_set, (first, last) = batch.payload["task_set"], batch.piece
     rules = connection.execute(select(task_sets.c.rules).where(task_sets.c.id == task_set)).scalar_one()
-    within = deck.c.variant.between(first, last)
+    within = deck.c.id.between(first, last)
     asked = deck.c.shown[LANGUAGES[0]]["answers"].label("asked")
-    columns = deck.c.variant, *STORED, deck.c.reference, asked, deck.c.person, slots.c.number, slots.c.attempts
+    columns = (
+        deck.c.id, deck.c.code, deck.c.variant, *STORED, deck.c.reference, asked, deck.c.person,
+        slots.c.number, slots.c.attempts,
+    )  # fmt: skip
     cards = connection.execute(_of_set(select(*columns), task_set).where(within)).mappings().all()
     works = _works(connection, task_set, first, last)
-    dealt = (_dealt(card, works.get(card["variant"], ())) for card in cards)
-    return Lot(rules, batch.payload["allow_lower"], tuple(card for card in dealt if card.works))
+    dealt, recompute = (_dealt(card, works.get(card["variant"], ())) for card in cards), _recompute(batch.payload)
+    return Lot(rules, batch.payload["allow_lower"], recompute, tuple(one for one in dealt if one.works or recompute))
+
+
+def _recompute(payload: Mapping[str, Any]) -> bool:
+    """Whether the references are computed anew; an older order does not speak of it."""
+    return bool(payload.get("recompute_references"))
 
 
 def _dealt(card: Any, works: Sequence[Work]) -> Dealt:
     weights = {name: field["weight"] for name, field in card["asked"].items()}
     stored = {column.name: card[column.name] for column in STORED}
     limited = card["attempts"] is not None
-    return Dealt(stored, card["reference"], weights, card["person"], card["number"], limited, tuple(works))
+    own = card["id"], card["code"], stored, card["reference"], weights, card["person"]
+    return Dealt(*own, card["number"], limited, tuple(works))
 
 
 def _works(connection: Connection, task_set: str, first: str, last: str) -> dict[str, list[Work]]:
@@ -66,7 +76,7 @@ def _works(connection: Connection, task_set: str, first: str, last: str) -> dict
     columns = submissions.c.variant, submissions.c.receipt, submissions.c.answers, submissions.c.body
     judged = grades.c.grade, grades.c.grader_version, grades.c.counted
     query = _of_set(select(*columns, *judged).join(deck, deck.c.variant == submissions.c.variant), task_set)
-    query = query.join(grades, grades.c.id == newest).where(submissions.c.variant.between(first, last))
+    query = query.join(grades, grades.c.id == newest).where(deck.c.id.between(first, last))
     rows = connection.execute(query.order_by(submissions.c.variant, submissions.c.time, submissions.c.receipt)).all()
     return {variant: [_work(row) for row in mine] for variant, mine in groupby(rows, lambda row: str(row.variant))}
 
@@ -78,7 +88,10 @@ def _work(row: Any) -> Work:
 
 
 def write(connection: Connection, batch: Batch, outcome: Replayed) -> Kept:
-    """Keep the grades that are in force from now on; a dry run keeps none."""
+    """Keep the grades and the references that are in force from now on; a dry run keeps none.
+
+    What a reference was before stays in the result of the batch.
+    """
     now = datetime.now(UTC)
     if outcome.grades and not batch.payload["dry_run"]:
         given = [
@@ -87,7 +100,10 @@ def write(connection: Connection, batch: Batch, outcome: Replayed) -> Kept:
             for one in outcome.grades
         ]  # fmt: skip
         connection.execute(insert(grades), given)
-    return Kept({"counts": outcome.counts, "changes": list(outcome.changes)})
+    for repair in () if batch.payload["dry_run"] else outcome.repairs:
+        connection.execute(update(deck).where(deck.c.id == repair.card).values(reference=repair.reference))
+    told = [repair.told for repair in outcome.repairs]
+    return Kept({"counts": outcome.counts, "changes": list(outcome.changes), "references": told})
 
 
 def finish(connection: Connection, job: Job) -> Ending:
@@ -97,7 +113,7 @@ def finish(connection: Connection, job: Job) -> Ending:
     for counts in connection.execute(select(batches.c.result["counts"]).where(*found)).scalars():
         total = {name: total.get(name, 0) + number for name, number in counts.items()}
     if not job.payload["dry_run"]:
-        details = {name: total[name] for name in ("raised", "lowered", "withheld", "reworded")}
+        details = {name: total[name] for name in ("raised", "lowered", "withheld", "reworded", "recomputed")}
         note(connection, Entry(job.payload["actor"], Action.REGRADED, job.subject, job.course, details))
     return Ending(total)
 

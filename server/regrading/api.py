@@ -21,14 +21,21 @@ from server.storage.jobs import Busy, Job
 from server.storage.sets import TaskSet
 from server.typed import Typed
 
+NOTHING: Mapping[str, Any] = {"changes": [], "references": []}
+
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["regrading"])
 
 
 class NewRegrade(Strict):
-    """A dry run tells what would change and changes nothing. A lower score replaces a higher one only if allowed."""
+    """A dry run tells what would change and changes nothing. A lower score replaces a higher one only if allowed.
+
+    With `recompute_references` the givens that were dealt are solved anew where the installed exercise does not lead to
+    what was kept of a card: that is how a set is repaired whose references were wrong when it was published.
+    """
 
     dry_run: StrictBool = False
     allow_lower: StrictBool = False
+    recompute_references: StrictBool = False
     reason: Annotated[Typed, Field(max_length=200)] = ""
 
 
@@ -76,17 +83,35 @@ class Change(BaseModel):
     stale: bool
 
 
+class ChangedValue(BaseModel):
+    """A value of a step, or a right text of an answer; nothing where that reference knows none of this name."""
+
+    name: str
+    old: float | str | list[list[float]] | None
+    new: float | str | list[list[float]] | None
+
+
+class ChangedReference(BaseModel):
+    """What a card was judged against, and what it is judged against now, where the two differ."""
+
+    code: str
+    slot: int
+    steps: list[ChangedValue]
+    texts: list[ChangedValue]
+
+
 class Changes(BaseModel):
     """Some of the changes; `next` leads to more."""
 
     changes: list[Change]
+    references: list[ChangedReference]
     next: str | None
 
 
 @router.post("/task-sets/{task_set}/regrade", status_code=202, responses=HERE | {409: {"model": Failure}})
 async def start_regrade(task_set: str, body: NewRegrade, response: Response, bench: Tools, reader: Asking) -> ShownJob:
     """Judge all that was handed in to a set again, as a job; both grades of a submission are kept."""
-    wish = {"dry_run": body.dry_run, "allow_lower": body.allow_lower, "reason": printable(body.reason)}
+    wish = {**body.model_dump(), "reason": printable(body.reason)}
     number = await ordered(bench, reader, await set_of(bench, reader, task_set), wish)
     response.headers["Location"] = f"/api/v1/jobs/{number}"
     return shown_job(await job_of(bench, number))
@@ -98,9 +123,9 @@ async def list_changes(job: str, bench: Tools, after: Annotated[int, Query(ge=0,
     found = await job_of(bench, job)
     if found.kind != regrade.NAME:
         raise Refused(404, "not_found")
-    changes, last = await changes_of(bench, found, after)
+    told, last = await changes_of(bench, found, after)
     more = f"/api/v1/jobs/{job}/changes?after={last}" if last else None
-    return Changes(changes=[Change.model_validate(one) for one in changes], next=more)
+    return Changes.model_validate({**told, "next": more})
 
 
 async def ordered(bench: Bench, reader: Reader, task_set: TaskSet, wish: Mapping[str, Any]) -> str:
@@ -120,12 +145,13 @@ async def ordered(bench: Bench, reader: Reader, task_set: TaskSet, wish: Mapping
     return number
 
 
-async def changes_of(bench: Bench, job: Job, after: int) -> tuple[list[Mapping[str, Any]], int | None]:
-    """Give the changes of the next batch that has any behind a number, and the number to go on from."""
+async def changes_of(bench: Bench, job: Job, after: int) -> tuple[Mapping[str, Any], int | None]:
+    """Give changes and references of the next batch that has any behind a number, and the number to go on from."""
     while True:
         batch = next(iter(await bench.jobs.results(job.id, after, 1)), None)
         if batch is None:
-            return [], None
+            return NOTHING, None
         after, result = batch
-        if result["changes"]:
-            return result["changes"], after if after < job.total else None
+        told = {name: result.get(name, []) for name in NOTHING}
+        if any(told.values()):
+            return told, after if after < job.total else None

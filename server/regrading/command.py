@@ -21,26 +21,23 @@ from server.storage.jobs import Busy, Job
 LOOK = 0.2  # s
 
 
-def run(
-    settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], *, dry_run: bool, allow_lower: bool
-) -> Job:
+def run(settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], **wish: bool) -> Job:
     """Regrade a set and wait for the end; a regrade that is under way is gone on with.
 
     Args:
         settings: The settings of the store.
         task_set: Number of the set.
-        tell: Is given every change.
-        dry_run: Whether only to tell what would change.
-        allow_lower: Whether a lower score may take the place of a higher one.
+        tell: Is given every change, of a submission or of a reference.
+        wish: `dry_run`, `allow_lower`, `recompute_references`, as `job.order` takes them.
 
     Raises:
         SettingsError: There is no such published set.
     """
-    return asyncio.run(_run(settings, task_set, tell, dry_run, allow_lower))
+    return asyncio.run(_run(settings, task_set, tell, wish))
 
 
 async def _run(
-    settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], dry_run: bool, allow_lower: bool
+    settings: Settings, task_set: str, tell: Callable[[Mapping[str, Any]], None], wish: Mapping[str, Any]
 ) -> Job:
     database, judging = Database(settings.store_url), JudgingThread(settings.workers or 1)
     try:
@@ -50,7 +47,7 @@ async def _run(
         bureau = Bureau(database.jobs, judging, settings.secret or secret_of(settings.store_url), KINDS)
         who = COMMAND_LINE, None
         try:
-            number = await regrade.order(database.jobs, found, *who, dry_run=dry_run, allow_lower=allow_lower)
+            number = await regrade.order(database.jobs, found, *who, **wish)
         except Busy as other:
             number = str(other)
         async with _at_work(bureau, settings.workers or 1):
@@ -85,5 +82,5 @@ async def _tell(database: Database, job: Job, tell: Callable[[Mapping[str, Any]]
     after = 0
     while batch := next(iter(await database.jobs.results(job.id, after, 1)), None):
         after, result = batch
-        for change in result["changes"]:
+        for change in (*result.get("references", ()), *result["changes"]):
             tell(change)

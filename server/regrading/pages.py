@@ -14,7 +14,7 @@ from server.errors import printable
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.regrading import job as regrade
-from server.regrading.api import changes_of, ordered
+from server.regrading.api import NOTHING, changes_of, ordered
 from server.sets.api import set_of
 from server.templating import page
 
@@ -31,14 +31,14 @@ async def show_regrade(
     """Show what the last regrade of a set has found, and the form that orders one."""
     found = await set_of(bench, reader, task_set)
     last = await bench.jobs.latest(regrade.NAME, found.id)
-    changes, more = await changes_of(bench, last, after) if last and not last.live else ([], None)
+    told, more = await changes_of(bench, last, after) if last and not last.live else (NOTHING, None)
     people = [*await bench.courses.members(found.course), *await bench.courses.left(found.course)]
     context = {
         "task_set": found,
         "course": here(reader).course,
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "job": last,
-        "changes": changes,
+        **told,
         "more": more,
         "names": {member.person.id: member.person.name for member in people},
     }
@@ -51,6 +51,7 @@ async def start_regrade(task_set: str, request: Request, bench: Tools, reader: A
     values = (await forms.read(request)).values
     reason = printable(values.get("reason", "").strip()[:LONGEST_REASON])
     dry_run = values.get("then") != "regrade"
-    wish = {"dry_run": dry_run, "allow_lower": values.get("allow_lower") == "yes", "reason": reason}
+    chosen = {name: values.get(name) == "yes" for name in ("allow_lower", "recompute_references")}
+    wish = {"dry_run": dry_run, "reason": reason, **chosen}
     number = await ordered(bench, reader, await set_of(bench, reader, task_set), wish)
     return RedirectResponse(f"/jobs/{number}", 303)

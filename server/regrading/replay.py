@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import logging
 from collections import Counter
 from collections.abc import Iterator, Mapping
@@ -44,15 +45,19 @@ class Dealt:
     """A card with what was handed in to it.
 
     Attributes:
+        card: Its number in the store.
+        code: What stands on it for people.
         slot: Number of the task, from 1.
         limited: Whether its attempts are limited.
         weights: Of its answers.
     """
 
+    card: str
+    code: str
     stored: Mapping[str, Any]
     reference: Mapping[str, Any]
     weights: Mapping[str, float]
-    person: str
+    person: str | None
     slot: int
     limited: bool
     works: tuple[Work, ...]
@@ -60,10 +65,12 @@ class Dealt:
 
 @dataclass(frozen=True, slots=True)
 class Lot:
-    """What a batch works on; plain data."""
+    """What a batch works on; plain data. `recompute`: references that the installed exercise does not lead to are
+    computed anew, from the givens that were dealt."""
 
     rules: Mapping[str, Any]
     allow_lower: bool
+    recompute: bool
     cards: tuple[Dealt, ...]
 
 
@@ -79,20 +86,34 @@ class NewGrade:
 
 
 @dataclass(frozen=True, slots=True)
+class Repair:
+    """A reference that is to take the place of a wrong one; what is `told` holds all in which the two differ."""
+
+    card: str
+    reference: Mapping[str, Any]
+    told: Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
 class Replayed:
-    """What came of a batch: how many of each effect, what differs, and the grades to be kept."""
+    """What came of a batch: how many of each effect, what differs, and the grades and references to be kept."""
 
     counts: Mapping[str, int]
     changes: tuple[Mapping[str, Any], ...]
     grades: tuple[NewGrade, ...]
+    repairs: tuple[Repair, ...] = ()
 
 
 def replay(secret: bytes, lot: Lot) -> Replayed:
     """Judge a batch again."""
-    counts = Counter[str]({effect.value: 0 for effect in Effect} | {"stale": 0, "judged": 0})
+    counts = Counter[str]({effect.value: 0 for effect in Effect} | {"stale": 0, "judged": 0, "recomputed": 0})
     changes, grades = [], []
     rules = Rules.model_validate(lot.rules)
-    for card in lot.cards:
+    repairs = {one.card: one for one in map(_repaired, lot.cards) if one} if lot.recompute else {}
+    counts["recomputed"] = len(repairs)
+    for dealt in lot.cards:
+        repair = repairs.get(dealt.card)
+        card = replace(dealt, reference=repair.reference) if repair else dealt
         for work, new, stale in _judged(secret, card, rules):
             found = difference(work.grade, new, lot.allow_lower)
             counts.update({found.effect.value: 1, "stale": int(stale), "judged": 1})
@@ -102,7 +123,29 @@ def replay(secret: bytes, lot: Lot) -> Replayed:
                 changes.append(told | {"versions": versions | {"installed": _installed(card)}, "stale": stale})
             if found.in_force:
                 grades.append(NewGrade(work.receipt, new, new["grader_version"], work.counted, found.effect.value))
-    return Replayed(dict(counts), tuple(changes), tuple(grades))
+    return Replayed(dict(counts), tuple(changes), tuple(grades), tuple(repairs.values()))
+
+
+def _repaired(card: Dealt) -> Repair | None:
+    """Solve the givens of a card anew; none where the installed exercise leads to what was kept, or cannot judge it."""
+    try:
+        variant = restore(card.stored)
+        if verifying.reproduced(variant, card.reference):
+            return None
+        new = verifying.record(variant)
+    except Exception:  # the exercise has gone, or has other givens now: the kept reference stays
+        log.exception("the reference of a card of %s cannot be computed anew", card.stored["exercise"])
+        return None
+    steps, texts = ([*_apart(card.reference[part], new[part])] for part in ("values", "texts"))
+    return Repair(card.card, new, {"code": card.code, "slot": card.slot, "steps": steps, "texts": texts})
+
+
+def _apart(old: Mapping[str, Any], new: Mapping[str, Any]) -> Iterator[Mapping[str, Any]]:
+    """Give what two parts of a reference do not have in common; nothing on one side where it knows no such name."""
+    for name in {**old, **new}:
+        one, other = (json.loads(json.dumps(part.get(name))) for part in (old, new))
+        if one != other:
+            yield {"name": name, "old": one, "new": other}
 
 
 def _judged(secret: bytes, card: Dealt, rules: Rules) -> Iterator[tuple[Work, dict[str, Any], bool]]:

@@ -96,6 +96,37 @@ def test_what_the_steps_no_longer_lead_to_is_told_and_the_kept_reference_judges(
     assert [(one["name"], one["new"]["outcome"]) for one in change["answers"]] == [("l3", "wrong")]
 
 
+def test_wrong_references_are_computed_anew_from_the_givens_that_were_dealt(school: Class) -> None:
+    card, (first,) = school.cards["anna"], school.grades("anna")
+    right = card.reference["values"]["l3"]  # drawn with the card, and checked against the oracle of the exercise
+    wrong = {**card.reference, "values": card.reference["values"] | {"l3": 1.5 * right}}
+    (row,) = school.rows(select(deck).where(deck.c.id == card.id))
+    spare = {**row, "id": "spare", "code": "spare", "number": 99, "person": None, "variant": None, "dealt": None}
+    below = other_grade(first["grade"], 0.8, l3=("wrong", 0.0))
+    school.do(
+        update(deck).where(deck.c.id == card.id).values(reference=wrong),
+        insert(deck).values(**spare | {"reference": wrong}),
+        update(grades).where(grades.c.submission == "anna").values(grade=below),
+    )
+    kept = select(deck.c.reference).where(deck.c.id.in_((card.id, "spare")))
+    assert school.regraded().result["same"] == 3  # the wrong reference has judged, and judges the same again
+    dry = school.regraded(dry_run=True, recompute_references=True)
+    assert [one["reference"] for one in school.rows(kept)] == [wrong, wrong]
+    job = school.regraded(recompute_references=True)
+    told = [
+        one for _, result in asyncio.run(school.database.jobs.results(job.id, 0, 9)) for one in result["references"]
+    ]
+    assert {one["code"]: one["steps"] for one in told} == {
+        code: [{"name": "l3", "old": 1.5 * right, "new": right}] for code in (card.code, "spare")
+    }
+    assert (dry.result, job.result["recomputed"], job.result["raised"]) == (job.result, 2, 1)
+    assert [one["reference"]["values"]["l3"] for one in school.rows(kept)] == [right, right]
+    assert [one["grade"]["score"] for one in school.grades("anna")] == [0.8, 1.0]
+    again = school.regraded(recompute_references=True)
+    assert (again.result["recomputed"], again.result["same"]) == (0, 3)
+    school.do(deck.delete().where(deck.c.id == "spare"))
+
+
 def test_a_card_whose_exercise_has_gone_keeps_its_grades(school: Class, caplog: pytest.LogCaptureFixture) -> None:
     card = school.cards["celia"]
     school.do(update(deck).where(deck.c.id == card.id).values(exercise="no_such"))
@@ -112,7 +143,7 @@ def test_a_regrade_is_written_into_the_audit_log_and_a_dry_run_is_not(school: Cl
     school.regraded()
     last = school.rows(lines.order_by(audit.c.id))[-1]
     assert (last["action"], last["actor"], last["object"]) == ("regraded", "lecturer", SET)
-    assert last["details"] == {"raised": 0, "lowered": 0, "withheld": 0, "reworded": 0}
+    assert last["details"] == {"raised": 0, "lowered": 0, "withheld": 0, "reworded": 0, "recomputed": 0}
 
 
 def test_many_submissions_make_many_batches_and_none_is_left_out(
@@ -124,7 +155,7 @@ def test_many_submissions_make_many_batches_and_none_is_left_out(
 
 
 def test_a_set_to_which_nothing_was_handed_in_is_regraded_at_once(school: Class) -> None:
-    pieces = asyncio.run(school.database.jobs.plan(lambda connection: regrades.pieces(connection, "none")))
+    pieces = asyncio.run(school.database.jobs.plan(lambda connection: regrades.pieces(connection, "none", whole=False)))
     assert pieces == [["", ""]]
     assert school.rows(select(task_sets.c.id)) == [{"id": SET}]
 
