@@ -23,6 +23,7 @@ from server.sets.dealing import Plan
 from server.storage.sets import Card
 from tests.conftest import Laid
 from tests.security.test_a13_reference_values import HIDING, SMALL, numbers, secrets_in
+from tests.server.sets.classroom import publish
 from tests.server.sets.conftest import Course, made, moment
 
 PUBLIC = ("id", "givens", "statement", "statement_text", "data", "answers", "receipt", "sessions", "acts", "variants")
@@ -68,7 +69,7 @@ async def publish_one_card_each(course: Course, number: str) -> None:
         planning.stored(plan.slot, 1, dealing.card(person, dealing.draw(bench.secret, always(plan), SEAT)), person)
         for plan in planning.planned(task_set, (person,))
     ]
-    await bench.sets.publish(number, task_set.revision, cards, datetime.now(UTC))
+    publish(bench.settings.store_url, task_set, cards, datetime.now(UTC))
 
 
 def open_to_students() -> Iterator[str]:

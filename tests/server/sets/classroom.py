@@ -41,7 +41,7 @@ def enrol(url: str, students: Sequence[str], lecturer: str = "lecturer") -> None
 def publish(url: str, task_set: TaskSet, cards: Sequence[Card], now: datetime = NOW) -> None:
     """Publish a draft as the batches of its job do, with cards that nobody drew."""
     payload = {"actor": "lecturer"}
-    job = Job(ids.new(), "publish", task_set.id, COURSE, payload, "running", 1, 1, None, None, None, now, None)
+    job = Job(ids.new(), "publish", task_set.id, task_set.course, payload, "running", 1, 1, None, None, None, now, None)
     store = engine(url, connections=1, begin="BEGIN IMMEDIATE")
     try:
         with store.begin() as connection:
