@@ -166,14 +166,14 @@ class _Sheet:
         """What is asked, what was typed as it was understood, and how it was judged."""
         assert self.handed is not None
         field_, text = self.shown.answers[name], self.handed.answers.get(name, "")
-        prompt = line_from_html(field_.prompt_html)
+        prompt = _before_answer(line_from_html(field_.prompt_html))
         if not text.strip():
-            yield Paragraph((*prompt, f": {self.said['unanswered']}"), quiet=True)
+            yield Paragraph((*prompt, self.said["unanswered"]), quiet=True)
             return
         *lines, last = _understood(self.variant, name, text, self.language)
-        lines[:0] = [(*prompt, ": ")] if lines else []
+        lines[:0] = [prompt] if lines else []
         yield from (Paragraph(line) for line in lines)
-        yield Paragraph(last if lines else (*prompt, ": ", *last), aside=self._outcome(name))
+        yield Paragraph(last if lines else (*prompt, *last), aside=self._outcome(name))
 
     def _outcome(self, name: str) -> str:
         assert self.handed is not None
@@ -203,6 +203,12 @@ def read_polygon(variant: Variant, text: str) -> Drawn | None:
 
 def _written(text: str) -> Iterator[Block]:
     yield Paragraph((text,)) if text.strip() else Ruled(1)
+
+
+def _before_answer(prompt: Line) -> Line:
+    """Part what is asked from the answer: by a colon, unless a question or a colon stands there."""
+    last = prompt[-1] if prompt else ""
+    return (*prompt, " " if isinstance(last, str) and last.rstrip().endswith(("?", ":")) else ": ")
 
 
 def _understood(variant: Variant, name: str, text: str, language: str) -> list[Line]:

@@ -30,6 +30,7 @@ PREAMBLE = """#set document(title: {title}, date: none)
 #set text(font: "Libertinus Serif", size: 11pt, lang: {language}, region: none, hyphenate: true)
 #set par(justify: false, leading: 0.65em)
 #show heading: set block(above: 1.4em, below: 0.7em)
+#show heading: set text(hyphenate: false)
 #show heading.where(level: 1): set text(size: 12pt)
 #show math.equation: set text(size: 11pt)
 #align(center)[#text(size: 14pt, weight: "bold")[#{title}] #linebreak() #text(size: 11pt)[#{subtitle}]]
