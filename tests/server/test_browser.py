@@ -7,14 +7,22 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Page
 
-from exercises import catalogue, grading
+from exercises import catalogue, grading, solving
 from exercises.variants import deal
+from graders.judge import Samples
 from server import static_files
 from tests.server.conftest import Live
-from tests.server.walking import follow, width
+from tests.server.walking import desk, follow, width
 
 RIGHT = grading.reference(deal("slider_crank", 7))
 WIDTHS = (1360, 360, 320)
+EDITORS = {  # answers whose kind has an editor beside its text, and plain ones
+    "rrp_table": ("P", "A1"),
+    "slider_crank_polygon": ("polygon",),
+    "slider_crank_cycle": ("cycle",),
+    "beam_diagrams": ("V",),
+    "gear_train": ("z4", "u_formula"),
+}
 
 
 @pytest.fixture
@@ -80,6 +88,38 @@ def test_right_wrong_and_unreadable_by_keyboard_alone(page: Page, site: Live) ->
     page.keyboard.press("Enter")
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.closest('li.answer') !== null")
+
+
+def samples(exercise: str, name: str) -> Samples:
+    """The texts by which the judge of an answer tries itself."""
+    solved = solving.solved(deal(exercise, 7))
+    found: Samples = solved.answers[name].samples(solved.reference(name))
+    return found
+
+
+def type_in(page: Page, name: str, text: str) -> None:
+    """Type an answer as a text in place of what stands there, by keyboard."""
+    field = page.locator(f":is(input, textarea)[name='answer.{name}']").first
+    if not field.is_visible():
+        page.locator(f"details:not([open]):has([name='answer.{name}']) > summary").last.press("Enter")
+    field.press("Control+a")
+    page.keyboard.insert_text(text)
+
+
+@pytest.mark.parametrize(("exercise", "names"), EDITORS.items())
+def test_each_kind_is_right_wrong_and_unreadable_by_keyboard(
+    walker: Page, site: Live, exercise: str, names: tuple[str, ...]
+) -> None:
+    desk(walker, site.url, exercise)
+    tried = {name: samples(exercise, name) for name in names}
+    for looks in (("v-right",), ("v-wrong", "v-partly"), ("v-unread",)):
+        for name, one in tried.items():
+            texts = {"v-right": one.right, "v-wrong": one.wrong, "v-unread": one.unreadable}[looks[0]]
+            type_in(walker, name, next(text for text in texts if text.strip()))
+        with walker.expect_navigation():
+            walker.keyboard.press("Control+Enter")
+        lines = [walker.locator(f"li.answer:has([name='answer.{name}']) .verdict") for name in names]
+        assert all(set(looks) & set((line.get_attribute("class") or "").split()) for line in lines), looks
 
 
 def test_without_script_a_task_is_read_previewed_and_checked(plain: Page, site: Live) -> None:
