@@ -124,12 +124,11 @@ def _below(own: str) -> tuple[str, ...]:
 def _ties(named: Named) -> dict[str, tuple[str, int]]:
     """Find the givens that are rates of others: omega1 of alpha1."""
     found: dict[str, tuple[str, int]] = {}
-    given = list(named.states[0].names)
-    for name in given:
-        own = named.of(name)
-        for other in given:
+    given = {name: named.of(name) for name in named.states[0].names}
+    for name, own in given.items():
+        for other, trios in given.items():
             for order in (1, 2):
-                rates = [trio[order] for trio in named.of(other)]
+                rates = [trio[order] for trio in trios]
                 alike = all(abs(a[0] - b) <= CLOSE * abs(b) and b for a, b in zip(own, rates, strict=True))
                 if other != name and alike and name not in found:
                     found[name] = (other, order)

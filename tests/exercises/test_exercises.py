@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from types import ModuleType
 from typing import Any, Never
 
@@ -27,6 +28,12 @@ STEPS_ARE_SOLVED_BY = ((doubles, "run"), *((solving, name) for name in ("run", "
 GATE = 6  # seeds of the gate here; a thousand are checked by `grubler verify` before an exercise is published
 
 
+@cache
+def dealt(exercise_id: str, seed: int) -> Variant:
+    """Deal a variant once for all tests."""
+    return variants.deal(exercise_id, seed)
+
+
 def solved_answers(variant: Variant) -> Answers:
     return catalogue.load(variant.exercise).exercise.answers_of(variant.givens)
 
@@ -38,20 +45,20 @@ def test_the_publish_gate_finds_nothing(exercise_id: str) -> None:
 
 @EVERY
 def test_the_same_seed_gives_the_same_variant(exercise_id: str) -> None:
-    assert [variants.deal(exercise_id, seed) for seed in SEEDS] == [variants.deal(exercise_id, seed) for seed in SEEDS]
+    assert [dealt(exercise_id, seed) for seed in SEEDS] == [variants.deal(exercise_id, seed) for seed in SEEDS]
 
 
 @EVERY
 def test_a_stored_variant_comes_back_as_it_was(exercise_id: str) -> None:
     for seed in SEEDS:
-        variant = variants.deal(exercise_id, seed)
+        variant = dealt(exercise_id, seed)
         assert variants.restore(variants.dump(variant)) == variant
 
 
 @EVERY
 def test_the_shown_reference_is_graded_right(exercise_id: str) -> None:
     for seed in SEEDS:
-        variant = variants.deal(exercise_id, seed)
+        variant = dealt(exercise_id, seed)
         grade_ = grade(Submission(variant, reference(variant)))
         assert grade_.score == 1
         texts = {name for name, judge in solved_answers(variant).items() if judge.kind == "text"}
@@ -62,7 +69,7 @@ def test_the_shown_reference_is_graded_right(exercise_id: str) -> None:
 
 @EVERY
 def test_an_empty_submission_is_unreadable_and_not_counted(exercise_id: str) -> None:
-    grade_ = grade(Submission(variants.deal(exercise_id, 1), {}))
+    grade_ = grade(Submission(dealt(exercise_id, 1), {}))
     assert {verdict.outcome for verdict in grade_.verdicts.values()} == {Outcome.UNREADABLE}
     assert (grade_.score, grade_.counted) == (0, False)
 
@@ -74,7 +81,7 @@ def slips(exercise_id: str) -> list[tuple[Variant, str, dict[str, str]]]:
     for seed in range(60):
         if found.keys() == exercise.mistakes.keys():
             break
-        variant = variants.deal(exercise_id, seed)
+        variant = dealt(exercise_id, seed)
         solved = Solved(exercise, variant)
         for name, expected in variants.predictions(solved).items():
             typed = {answer: grader.show(expected[answer]) for answer, grader in solved.answers.items()}
@@ -97,7 +104,7 @@ def test_each_mistake_is_wrong_and_recognised_and_has_a_hint(exercise_id: str) -
 @EVERY
 @pytest.mark.parametrize("lang", LANGUAGES)
 def test_a_variant_is_presented_and_solved_in_every_language(exercise_id: str, lang: str) -> None:
-    variant = variants.deal(exercise_id, 3)
+    variant = dealt(exercise_id, 3)
     shown = presented(variant, lang)
     assert shown.title and shown.summary and "{{" not in shown.statement_html and "$" not in shown.statement_text
     assert all(field.prompt_text for field in shown.answers.values())
@@ -107,7 +114,7 @@ def test_a_variant_is_presented_and_solved_in_every_language(exercise_id: str, l
 
 @EVERY
 def test_a_printed_tolerance_is_a_round_number(exercise_id: str) -> None:
-    for name, field in presented(variants.deal(exercise_id, 1), "en").answers.items():
+    for name, field in presented(dealt(exercise_id, 1), "en").answers.items():
         figures = [found.replace(".", "").strip("0") for found in re.findall(r"[\d.]+", field.tolerance_text)]
         assert all(len(digits) <= 2 for digits in figures), (name, field.tolerance_text)
 
@@ -115,21 +122,22 @@ def test_a_printed_tolerance_is_a_round_number(exercise_id: str) -> None:
 @EVERY
 def test_a_preview_does_not_depend_on_the_seed(exercise_id: str) -> None:
     """Two seeds of one topology: whatever is typed, the same is understood."""
-    one = variants.deal(exercise_id, 1)
+    one = dealt(exercise_id, 1)
     names = list(catalogue.load(exercise_id).exercise.answers_of(one.givens))
-    other = next(v for v in (variants.deal(exercise_id, s) for s in range(2, 200)) if _symbols(v) == _symbols(one))
+    other = next(v for v in (dealt(exercise_id, s) for s in range(2, 200)) if _symbols(v) == _symbols(one))
     for text in ("12,5", "3 mm", "l1 + 1", "ac(x+1)", "[[1; 2]]", ""):
         for name in names:
             assert preview(one, name, text) == preview(other, name, text)
 
 
-def _symbols(variant: Variant) -> dict[str, tuple[str, ...]]:
-    return {name: field.symbols for name, field in presented(variant, "en").answers.items()}
+def _symbols(variant: Variant) -> dict[str, frozenset[str]]:
+    posed = solving.solved(variant)
+    return {name: posed.symbols(name).names for name in posed.answers}
 
 
 @EVERY
 def test_text_that_is_no_answer_is_unreadable_with_its_place(exercise_id: str) -> None:
-    variant = variants.deal(exercise_id, 2)
+    variant = dealt(exercise_id, 2)
     for name, judge in solved_answers(variant).items():
         found = preview(variant, name, "\u0000" if judge.kind == "text" else "1 +* (")
         assert isinstance(found, Verdict) and found.outcome is Outcome.UNREADABLE
@@ -153,16 +161,16 @@ def called_by(line: Line) -> Iterator[tuple[ModuleType, str]]:
 def test_the_oracle_does_not_stand_on_the_module_of_the_steps(exercise_id: str) -> None:
     """With every function poisoned that the steps call, the oracle's results do not change."""
     exercise = catalogue.load(exercise_id).exercise
-    dealt = [variants.deal(exercise_id, seed) for seed in SEEDS]
-    before = [exercise.oracle(variant.givens) for variant in dealt]
+    posed = [dealt(exercise_id, seed) for seed in SEEDS]
+    before = [exercise.oracle(variant.givens) for variant in posed]
     with pytest.MonkeyPatch.context() as patch:
         for owner, used in STEPS_ARE_SOLVED_BY:
             patch.setattr(owner, used, poisoned)
-        for variant in dealt:
+        for variant in posed:
             for line in exercise.steps_of(variant.givens).values():
                 for owner, used in called_by(line):
                     patch.setattr(owner, used, poisoned)
         with pytest.raises(RuntimeError, match="uses the steps"):
-            Solved(exercise, dealt[0])
-        after = [exercise.oracle(variant.givens) for variant in dealt]
+            Solved(exercise, posed[0])
+        after = [exercise.oracle(variant.givens) for variant in posed]
     assert before == after

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import pytest
 from playwright.sync_api import Browser, Page
 
-from server.migrate import migrate
 from server.settings import Settings
 from tests.server import axe
 from tests.server.conftest import Live
 from tests.server.school import CODE
 from tests.server.sets.conftest import Course, made, moment
+from tests.server.stores import lay
 from tests.server.test_browser import watched
 from tests.server.walking import follow, width
 
@@ -55,7 +55,7 @@ def filled(course: Course) -> dict[str, str]:
 @pytest.fixture(scope="module")
 def campus(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Campus]:
     settings = Settings(tmp_path_factory.mktemp("campus"))
-    migrate(settings.store_url)
+    lay(settings)
     for course in made(settings):
         paths = filled(course)
         cookies = {who: str(course.school.browser(who).cookies[COOKIE]) for who in PEOPLE}

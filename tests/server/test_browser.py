@@ -151,7 +151,7 @@ def test_the_catalogue_does_not_scroll_sideways(page: Page, site: Live) -> None:
 
 @pytest.mark.parametrize("exercise", catalogue.ids())
 def test_nothing_scrolls_sideways(walker: Page, site: Live, exercise: str) -> None:
-    practise(walker, site, exercise)
+    desk(walker, site.url, exercise)
     assert too_narrow(walker) == []
     walker.evaluate("document.querySelectorAll('form details').forEach((one) => { one.open = true; })")
     for name, text in grading.reference(deal(exercise, 7)).items():

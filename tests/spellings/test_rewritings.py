@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import cycle, islice
 
 import pytest
@@ -20,6 +21,7 @@ SEEDS = range(5)  # `benchmarks/spellings.py` takes two hundred
 LEAST_RIGHT, LEAST_WRONG = 12, 8
 
 
+@cache
 def solved(exercise: str, seed: int) -> Solved:
     return Solved(catalogue.load(exercise).exercise, variants.deal(exercise, seed))
 
