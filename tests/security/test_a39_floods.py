@@ -1,4 +1,4 @@
-"""A39: no regular expression of ours can backtrack without bound, and a flood of hostile texts stays cheap."""
+"""A39: no regular expression of ours backtracks without bound, hostile texts stay cheap, floods of requests wait."""
 
 from __future__ import annotations
 
@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from starlette.testclient import TestClient
 
 from exercises.exercise import Submission
 from exercises.grading import grade
+from server import reader
+from server.limits import Rate
 from tests.graders.effort import effort
 from tests.security.conftest import LONGEST, VARIANT
 
@@ -57,3 +60,14 @@ def test_the_check_would_see_such_a_pattern() -> None:
 def test_a_flood_of_one_sign_is_cheap(text: str) -> None:
     flood = Submission(VARIANT, dict.fromkeys(("alpha2", "l3", "omega2", "v3", "omega2_formula"), text))
     assert effort(lambda: grade(flood), 1) < LONGEST
+
+
+def test_a_flood_of_drafts_or_of_documents_waits(client: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reader, "OWNER", Rate(4, 1e-3))
+    monkeypatch.setattr(reader, "DOCUMENTS", Rate(2, 1e-3))
+    number, body = client.headers["x-variant"], {"answers": {"l3": "1 m"}, "revision": 0}
+    drafts = [client.put(f"/api/v1/variants/{number}/draft", json=body) for _ in range(6)]
+    reports = [client.get(f"/api/v1/reports/tmm2/{number}.md") for _ in range(4)]
+    for replies, passed in ((drafts, 4), (reports, 2)):
+        assert [reply.status_code == 429 for reply in replies] == [False] * passed + [True] * 2
+        assert int(replies[-1].headers["retry-after"]) > 1
