@@ -120,7 +120,7 @@ def lots(url: str) -> Iterator[Lot]:
     store = engine(url, connections=1)
     with store.connect() as connection:
         payload = {"task_set": SET, "allow_lower": False}
-        for number, piece in enumerate(regrades.pieces(connection, SET)[:COMPARED], 1):
+        for number, piece in enumerate(regrades.pieces(connection, SET, whole=False)[:COMPARED], 1):
             yield regrades.read(connection, Batch("J", "regrade", number, 1, payload, piece))
     store.dispose()
 

@@ -8,7 +8,7 @@ import pytest
 from sqlalchemy import update
 
 from server.engine import engine
-from server.tables import grades
+from server.tables import deck, grades
 from tests.server.sets.conftest import Course
 
 
@@ -51,6 +51,31 @@ def test_a_dry_run_tells_what_a_regrade_then_does(course: Course, handed_in: str
     assert told == [(1, ["l3"], None), (1, ["l3"], None), (0, [], None)]
     mine = course.student.get(f"/api/v1/task-sets/{handed_in}").json()
     assert mine["items"][0]["earned"] == 10
+
+
+def test_a_wrong_reference_is_shown_beside_the_new_one_before_it_is_replaced(course: Course) -> None:
+    number = course.published()
+    course.variant(number)
+    card = course.card(number)
+    right, path = card.reference["values"]["l3"], f"/sets/{number}/regrade"
+    wrong = {**card.reference, "values": card.reference["values"] | {"l3": 2 * right}}
+    store = engine(course.school.bench.settings.store_url, connections=1)
+    with store.begin() as connection:
+        connection.execute(update(deck).where(deck.c.id == card.id).values(reference=wrong))
+    store.dispose()
+    reply = course.lecturer.post(path, data={"recompute_references": "yes", "then": "look"})
+    job = reply.headers["location"].rsplit("/", 1)[1]
+    assert ended(course, job)["result"]["recomputed"] == 1 and course.card(number).reference == wrong
+    (told,) = course.lecturer.get(f"/api/v1/jobs/{job}/changes").json()["references"]
+    assert told == {
+        "code": card.code, "slot": 1, "steps": [{"name": "l3", "old": 2 * right, "new": right}], "texts": [],
+    }  # fmt: skip
+    page = course.lecturer.get(f"{path}?lang=en").text
+    assert f'<th scope="row" class="code">{card.code}</th>' in page and str(2 * right) in page
+    assert '<input type="hidden" name="recompute_references" value="yes">' in page and "Nothing changes" not in page
+    wish = {"recompute_references": True}
+    ended(course, course.lecturer.post(f"/api/v1/task-sets/{number}/regrade", json=wish).json()["id"])
+    assert course.card(number).reference == card.reference
 
 
 def test_who_may_not_teach_may_not_regrade(course: Course, handed_in: str) -> None:
