@@ -150,9 +150,8 @@ class Cases:
         if name == "abs":
             return self._signed(arguments[0], (one, [-x for x in one]), case)
         if name == "sign":
-            thin = arguments[0] not in self.loose and not all(x.contains(0) for x in one)
             values = [arb(1)] * len(one), [arb(-1)] * len(one)
-            return self._signed(arguments[0], values, case) if thin else None
+            return self._signed(arguments[0], values, case) if self._thin(arguments[0], case) else None
         other = case.slots[arguments[1]]
         if name == "macaulay":
             powers = [x**order for x, order in zip(one, other, strict=True)], [arb(0)] * len(one)
@@ -286,10 +285,20 @@ class Cases:
             if inside not in self.loose or (name == "/" and self._positive(inside)):
                 return False
             return name != "/" or not side_of_zero(self.ranges[inside])
+        if name in ("macaulay", "log_base"):
+            return arguments[1] >= 0 or (name == "log_base" and slot in self.turning)
         if slot not in self.turning or name in UNENDED or name.startswith("power"):
             return False
+        if name == "atan2":
+            return not any(self._thin(argument, case) for argument in arguments)
         low, high = self.ranges[arguments[0]]
-        return not (-1 <= low <= high <= 1 if name in ("asin", "acos") else low >= 0)
+        if name in ("asin", "acos"):
+            return not -1 <= low <= high <= 1
+        return not (low >= 0 and (name == "sqrt" or self._thin(arguments[0], case)))
+
+    def _thin(self, slot: int, case: Case) -> bool:
+        """Tell whether a slot is zero nowhere but at single places."""
+        return slot not in self.loose and not all(x.contains(0) for x in case.slots[slot])
 
     def _positive(self, slot: int) -> bool:
         return slot >= len(self.program.inputs) and self._operation(slot)[0] in ("exp", "cosh")
