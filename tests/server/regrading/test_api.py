@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from sqlalchemy import update
+from sqlalchemy import select, update
 
 from server.engine import engine
-from server.tables import deck, grades
+from server.tables import deck, grades, jobs
 from tests.server.sets.conftest import Course
 
 
@@ -108,3 +108,20 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     assert 'name="then" value="regrade">Change results: 1<' in page
     assert "wrong <code>wrong</code>" in page and "right <code>right</code>" in page
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
+
+
+def test_a_regrade_that_was_ordered_before_an_update_is_shown(course: Course, handed_in: str) -> None:
+    path = f"/sets/{handed_in}/regrade"
+    reply = course.lecturer.post(path, data={"then": "look"})
+    ended(course, number := reply.headers["location"].rsplit("/", 1)[1])
+    store = engine(course.school.bench.settings.store_url, connections=1)
+    with store.begin() as connection:
+        row = connection.execute(select(jobs.c.payload, jobs.c.result).where(jobs.c.id == number)).one()
+        older = {
+            "payload": {key: value for key, value in row.payload.items() if key != "recompute_references"},
+            "result": {key: value for key, value in row.result.items() if key != "recomputed"},
+        }
+        assert older != row._asdict()
+        connection.execute(update(jobs).where(jobs.c.id == number).values(older))
+    store.dispose()
+    assert "What would change" in course.lecturer.get(f"{path}?lang=en").text
