@@ -10,7 +10,6 @@ than a search.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
@@ -35,6 +34,7 @@ BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
 SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
 POLES = frozenset(("/", "tan", "cot"))
 AROUND_ONE: Interval = (0.5, 1.5)
+REACH = 2.0  # of drawn numbers, where the values of a function reach further
 
 Column: TypeAlias = Sequence[Any]  # a ball at each of the points
 
@@ -243,10 +243,14 @@ class Cases:
         return None
 
     def _number(self, values: Interval, slot: int) -> Column:
-        """Draw a number from some values for each point, as secret as the point."""
+        """Draw a number for each point, as secret as the point; a large one would hide what is small."""
         low, high = values
-        low = low if math.isfinite(low) else high - 1 if math.isfinite(high) else AROUND_ONE[0]
-        high = high if math.isfinite(high) else low + 1
+        if low > REACH:
+            high = min(high, 2 * low)
+        elif high < -REACH:
+            low = max(low, 2 * high)
+        else:
+            low, high = max(low, -REACH), min(high, REACH)
         shares = [(hash((point, slot)) % 2**52) / 2**52 for point in self.points]
         return [arb(low + (high - low) * (0.1 + 0.8 * share)) for share in shares]
 

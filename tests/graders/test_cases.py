@@ -55,6 +55,7 @@ def test_what_is_equal_in_every_case_needs_no_search(a: str, b: str, monkeypatch
         ("r + 0*sqrt(z)", "r"),
         ("r*sqrt(z)/sqrt(z)", "r"),
         ("r + 0*asin(2*x)", "r"),
+        ("root(exp(100*c*r); 3)", "root(exp(100*c*r); 3) + 1e-6*<2*z - 0.95>^1"),
         ("r + 0*ln(<-z>^2)", "r"),
         ("r + 0*atan2(<z>^1; <z>^1)", "r"),
         ("r + 0*<x>^c", "r"),
