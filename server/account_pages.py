@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from typing import Any
 
 from fastapi import APIRouter, Depends, Request
@@ -13,6 +14,7 @@ from server.errors import Refused
 from server.passwords import SHORTEST
 from server.policy import Role
 from server.reader import Asking, Reader, admit
+from server.sets import clock, home
 from server.templating import THEMES, keep_preferences, page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
@@ -20,10 +22,18 @@ router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
 @router.get("/home")
 async def show_home(request: Request, bench: Tools, reader: Asking) -> Response:
-    """Show one's own courses, and what was practised before signing in."""
-    person = people.themselves(reader)
+    """Show what waits for a student, one's own courses, and what was practised before signing in."""
+    person, now = people.themselves(reader), datetime.now(UTC)
+    mine = await bench.courses.of(person.id)
+    sets = await home.sets_of(bench, person.id, mine, now)
+    following = home.due_next(sets)
     context = {
-        "courses": await bench.courses.of(person.id),
+        "courses": mine,
+        "sets": sets,
+        "following": following,
+        "remaining": clock.left(following.until, now) if following else None,
+        "results": home.latest(sets),
+        "local": lambda moment, course: clock.spoken(moment, clock.zone(course.time_zone)),
         "practised": await bench.storage.practised(reader.practice.id) if reader.practice else 0,
         "lecturer": reader.role >= Role.LECTURER,
     }
