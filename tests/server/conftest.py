@@ -107,9 +107,15 @@ class Live:
         environ = {**os.environ, "GRUBLER_DATA_DIR": str(self.folder), "GRUBLER_PORT": str(self.port)}
         with self.folder.with_suffix(".out").open("wb") as out:
             self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], env=environ, stdout=out)
-        deadline = time.monotonic() + START
+        try:
+            self._wait(self.process, time.monotonic() + START)
+        except BaseException:
+            self.kill()
+            raise
+
+    def _wait(self, process: subprocess.Popen[bytes], deadline: float) -> None:
         while not self._serves():
-            assert self.process.poll() is None, "the server has ended"
+            assert process.poll() is None, "the server has ended"
             assert time.monotonic() < deadline, "the server does not start"
             time.sleep(0.05)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from html import escape, unescape
 
 import pytest
@@ -13,6 +13,9 @@ from exercises import catalogue, grading
 from exercises.presenting import words_of
 from exercises.solving import solved
 from exercises.variants import deal as dealt_by_hand
+from server.app import create_app
+from tests.conftest import Laid
+from tests.server.conftest import SECRET
 
 EN = {"accept-language": "en"}
 RIGHT = grading.reference(dealt_by_hand("slider_crank", 7))
@@ -63,12 +66,20 @@ def test_every_exercise_can_be_practised_without_script(client: TestClient, exer
     assert solution.status_code == 200 and "Worked solution" in solution.text
 
 
+@pytest.fixture(scope="module")
+def reader(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[TestClient]:
+    """Reads the pages of a server that tests share."""
+    settings = laid_for_all(tmp_path_factory.mktemp("pages"), secret=SECRET, limited=False)
+    with TestClient(create_app(settings), raise_server_exceptions=False) as found:
+        yield found
+
+
 @pytest.mark.parametrize("exercise", catalogue.ids())
 @pytest.mark.parametrize("language", ["pl", "en", "ru"])
-def test_every_field_has_a_label_and_its_messages(client: TestClient, exercise: str, language: str) -> None:
-    location = client.post(f"/exercises/{exercise}", data={"seed": "7"}, follow_redirects=False).headers["location"]
-    client.post(location, data=form({"l3": "1 m/"}))
-    page = client.get(f"{location}?lang={language}").text
+def test_every_field_has_a_label_and_its_messages(reader: TestClient, exercise: str, language: str) -> None:
+    location = reader.post(f"/exercises/{exercise}", data={"seed": "7"}, follow_redirects=False).headers["location"]
+    reader.post(location, data=form({"l3": "1 m/"}))
+    page = reader.get(f"{location}?lang={language}").text
     page = re.sub(r"<label>[^<]+<(?:input|select)[^>]*>", "", page)  # a field inside its label
     ids = re.findall(r' id="([^"]+)"', page)
     assert len(ids) == len(set(ids))
