@@ -211,7 +211,8 @@ def _on_loop(unit: Unit, joint_E: Callable[[float], tuple[float, complex]], arou
         t, e2 = around.at(s)
         return _phi(unit, joint_E(t)[1], e2)
 
-    for zero in _zeros(phi, ROUNDING * max(unit.size, unit.l_CD) * unit.l_CD):
+    lever = max(1.0, unit.l_CE / unit.l_BE)  # by which link 2 moves C farther than rounding moves its side EB
+    for zero in _zeros(phi, ROUNDING * max(unit.size * lever, unit.l_CD) * unit.l_CD):
         t, e2 = around.at(zero.at)
         alpha5, E = joint_E(t)
         F = _end_of_leg(unit, alpha5)

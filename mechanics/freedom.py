@@ -73,8 +73,8 @@ def _fewest(closure: Closure, free: Any, step: float) -> int:
 def _moved(closure: Closure, at: Vector) -> int:
     """Count the directions that the mechanism follows from a place it has reached; of the free ones some may be locked.
 
-    Steps along all free directions are closed again. What is left of them spans the finite motions: a step within
-    them is kept whole, one along a locked direction springs back.
+    Steps along all free directions are closed again. What is left of them, seen along the free directions, spans the
+    finite motions: a step within them is kept whole, one along a locked direction springs back.
     """
     import numpy as np
 
@@ -82,7 +82,7 @@ def _moved(closure: Closure, at: Vector) -> int:
     most = 0
     for step in PACES:
         reached = [_closed(closure, at + sign * step * direction) for direction in free for sign in (1.0, -1.0)]
-        kept = np.array([(there - at) / step for there in reached if there is not None]).reshape(-1, at.size)
+        kept = np.array([(there - at) / step for there in reached if there is not None]).reshape(-1, at.size) @ free.T
         most = max(most, int((np.linalg.svd(kept, compute_uv=False) > SHARE).sum()))
         if most == free.shape[0]:
             break

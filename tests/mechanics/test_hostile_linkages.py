@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from random import Random
+
 import pytest
 
 from tests.mechanics.hostile_linkages import KINDS, attack
@@ -13,3 +15,7 @@ def test_hostile_linkages_are_solved_or_refused(kind: str) -> None:
     found = attack(7, count, kind)
     assert found.solved > count / 3 and found.worst < 1e-9, found
     assert kind in ("manipulator", "class_iii", "bodies") or found.refused["SingularError"] > 0
+
+
+def test_two_assemblies_that_meet_are_found_behind_a_long_lever() -> None:
+    assert KINDS["class_iii"](Random("1/class_iii/5842")) < 1e-9  # CE is eighteen times as long as BE

@@ -14,3 +14,8 @@ def test_random_machines_are_solved_or_refused_by_name(judge: judged_machines.Ju
     chance = Random(7)
     outcomes = {judge(chance) for _ in range(40)}
     assert "solved" in outcomes
+
+
+@pytest.mark.parametrize("number", [6272, 9749])
+def test_motions_that_bend_at_once_are_no_further_motions(number: int) -> None:
+    assert judged_machines.structure(Random(f"1:{number}")) == "passive constraints"
