@@ -7,11 +7,13 @@ the forces or displacements that are about. `exact` solves a beam once more in f
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
+from math import factorial
 from random import Random
+from typing import TypeAlias
 
 from mechanics import bar, beam, linear, shaft
 from mechanics.bar import AxialForce, Bar, BarSegment
@@ -149,6 +151,9 @@ def beam_residuals(made: Beam, found: BeamResult) -> Iterator[float]:
         yield abs(left.deflection(left.x2 - left.x1) - right.v) / sag
 
 
+Source: TypeAlias = tuple[float, int]  # a place, and the power of its bracket in EI v'': force 1, couple 0, kink -1
+
+
 def exact(made: Beam) -> tuple[list[tuple[Fraction, Fraction]], Callable[[float], tuple[Fraction, Fraction]]]:
     """Solve a beam in fractions: one system for v and theta at the left end, all reactions and the kinks at hinges.
 
@@ -158,61 +163,61 @@ def exact(made: Beam) -> tuple[list[tuple[Fraction, Fraction]], Callable[[float]
         Reactions (force, couple) in the order of the supports, and a function that gives M and EI v at a place that
         is no place of a load.
     """
-    EI = Fraction(made.E) * Fraction(made.second_moment)
-    # Each known and unknown thing is (place, power of the bracket in EI v'' as V-integrals, size): F 1, M0 0, kink -1.
-    unknown: list[tuple[float, int]] = [(-1.0, -2), (-1.0, -1)]  # EI v, EI theta at the left end
-    for support in made.supports:
-        unknown.append((support.x, 1))
-        if support.type == "fixed":
-            unknown.append((support.x, 0))
-    unknown += [(x, -1) for x in made.hinges]
-    known: list[tuple[float, int, Fraction]] = []
-    for load in made.loads:
-        if isinstance(load, Force):
-            known.append((load.x, 1, Fraction(load.F)))
-        elif isinstance(load, Moment):
-            known.append((load.x, 0, -Fraction(load.M)))
-        else:
-            growth = (Fraction(load.w2) - Fraction(load.w1)) / (Fraction(load.x2) - Fraction(load.x1))
-            known += [(load.x1, 2, Fraction(load.w1)), (load.x1, 3, growth)]
-            known += [(load.x2, 2, -Fraction(load.w2)), (load.x2, 3, -growth)]
-
-    def influence(source: tuple[float, int], x: float, below: int) -> Fraction:
-        """M (below 0), EI theta (1), EI v (2), V (-1) at x, just right of all that stands there, of a unit source."""
-        place, power = source[0], source[1] + below
-        if place > x or power < 0:
-            return Fraction(0)
-        lever = Fraction(x) - max(Fraction(place), Fraction(0))
-        result = Fraction(1)
-        for step in range(power):
-            result *= lever / (step + 1)
-        return result
-
-    conditions: list[tuple[float, int, Fraction]] = [(made.L, 0, Fraction(0)), (made.L, -1, Fraction(0))]
-    for support in made.supports:
-        conditions.append((support.x, 2, Fraction(support.settlement) * EI))
-        if support.type == "fixed":
-            conditions.append((support.x, 1, Fraction(0)))
-    conditions += [(x, 0, Fraction(0)) for x in made.hinges]
-    matrix = [[influence(one, x, below) for one in unknown] for x, below, _ in conditions]
-    right = [
-        value - sum((size * influence((place, power), x, below) for place, power, size in known), Fraction(0))
-        for x, below, value in conditions
-    ]
+    unknown, known = _unknown(made), [*_known(made)]
+    conditions = [*_conditions(made)]
+    matrix = [[_influence(one, x, below) for one in unknown] for x, below, _ in conditions]
+    right = [value - _sum(known, x, below) for x, below, value in conditions]
     sizes = linear.solve(matrix, right)
-    everything = [(one, size) for one, size in zip(unknown, sizes, strict=True)]
-    everything += [((place, power), size) for place, power, size in known]
-
-    def at(x: float) -> tuple[Fraction, Fraction]:
-        M, v = (sum((size * influence(one, x, below) for one, size in everything), Fraction(0)) for below in (0, 2))
-        return M, v
-
-    reactions = []
-    rest = iter(sizes[2:])
+    everything = [*zip(unknown, sizes, strict=True), *known]
+    rest, reactions = iter(sizes[2:]), []
     for support in made.supports:
         force = next(rest)
         reactions.append((force, -next(rest) if support.type == "fixed" else Fraction(0)))
-    return reactions, at
+    return reactions, lambda x: (_sum(everything, x, 0), _sum(everything, x, 2))
+
+
+def _unknown(made: Beam) -> list[Source]:
+    found: list[Source] = [(-1.0, -2), (-1.0, -1)]  # EI v, EI theta at the left end
+    for support in made.supports:
+        found += [(support.x, 1), (support.x, 0)] if support.type == "fixed" else [(support.x, 1)]
+    return [*found, *((x, -1) for x in made.hinges)]
+
+
+def _known(made: Beam) -> Iterator[tuple[Source, Fraction]]:
+    for load in made.loads:
+        if isinstance(load, Force):
+            yield (load.x, 1), Fraction(load.F)
+        elif isinstance(load, Moment):
+            yield (load.x, 0), -Fraction(load.M)
+        else:
+            growth = (Fraction(load.w2) - Fraction(load.w1)) / (Fraction(load.x2) - Fraction(load.x1))
+            for x, w, sign in ((load.x1, load.w1, 1), (load.x2, load.w2, -1)):
+                yield (x, 2), sign * Fraction(w)
+                yield (x, 3), sign * growth
+
+
+def _conditions(made: Beam) -> Iterator[tuple[float, int, Fraction]]:
+    """Give what is known of the beam: where, which integral, its value."""
+    yield made.L, 0, Fraction(0)
+    yield made.L, -1, Fraction(0)
+    for support in made.supports:
+        yield support.x, 2, Fraction(support.settlement) * Fraction(made.E) * Fraction(made.second_moment)
+        if support.type == "fixed":
+            yield support.x, 1, Fraction(0)
+    for x in made.hinges:
+        yield x, 0, Fraction(0)
+
+
+def _influence(source: Source, x: float, below: int) -> Fraction:
+    """M (below 0), EI theta (1), EI v (2), V (-1) at x, just right of all that stands there, of a unit source."""
+    place, power = source[0], source[1] + below
+    if place > x or power < 0:
+        return Fraction(0)
+    return (Fraction(x) - max(Fraction(place), Fraction(0))) ** power / factorial(power)
+
+
+def _sum(sources: Iterable[tuple[Source, Fraction]], x: float, below: int) -> Fraction:
+    return sum((size * _influence(one, x, below) for one, size in sources), Fraction(0))
 
 
 def exact_error(made: Beam) -> float:

@@ -52,6 +52,14 @@ def test_what_is_not_wholly_right_waits_until_the_attempts_are_used_up(course: C
     assert not section(course, "next") and "8 / 10" in section(course, "results")
 
 
+def test_a_set_past_due_that_is_still_taken_is_no_set_without_a_deadline(course: Course) -> None:
+    number = course.published(title="Late", rules={"late": "accepted"})
+    course.move(number, hours=1)
+    found = section(course, "next")
+    assert "Late" in found and "past due, still taken" in found and "without a deadline" not in found
+    answer(course, number)
+
+
 def test_home_tells_nothing_of_an_examination_whose_results_are_held(course: Course) -> None:
     number = course.published(title="Exam", rules={"mode": "exam"})
     assert "0 of 1 tasks finished<" in section(course, "next")
