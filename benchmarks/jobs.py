@@ -15,9 +15,12 @@ import argparse  # noqa: E402
 import asyncio  # noqa: E402
 import random  # noqa: E402
 import time  # noqa: E402
+from functools import partial  # noqa: E402
 from multiprocessing import get_context  # noqa: E402
 from multiprocessing.process import BaseProcess  # noqa: E402
 from multiprocessing.synchronize import Event  # noqa: E402
+
+from sqlalchemy import Connection  # noqa: E402
 
 from benchmarks.stores import KINDS as STORES  # noqa: E402
 from benchmarks.stores import settings, stores  # noqa: E402
@@ -66,6 +69,11 @@ def start(url: str) -> BaseProcess:
     return process
 
 
+def rows_of(connection: Connection, job: str) -> list[int]:
+    """Count the rows that the batches of a job have left."""
+    return [left(connection, job)]
+
+
 async def live(database: Database, numbers: list[str]) -> int:
     """Count the jobs that have not ended."""
     found = [await database.jobs.job(number) for number in numbers]
@@ -95,7 +103,7 @@ def main() -> None:
         last.kill()
         last.join()
         jobs = [asyncio.run(database.jobs.job(number)) for number in numbers]
-        rows = [asyncio.run(database.jobs.plan(lambda c, n=number: [left(c, n)]))[0] for number in numbers]
+        rows = [asyncio.run(database.jobs.plan(partial(rows_of, job=number)))[0] for number in numbers]
         database.close()
     right = sum(job is not None and (job.state, job.result) == ("done", {"sum": SUM}) for job in jobs)
     print(f"store {given.store}: {given.kills} kills, {len(numbers)} jobs of {len(PIECES)} batches")
