@@ -74,34 +74,47 @@ def rows_of(connection: Connection, job: str) -> list[int]:
     return [left(connection, job)]
 
 
-async def live(database: Database, numbers: list[str]) -> int:
-    """Count the jobs that have not ended."""
+async def live(database: Database, numbers: list[str]) -> list[str]:
+    """Give those of the jobs that have not ended."""
     found = [await database.jobs.job(number) for number in numbers]
-    return sum(job is not None and job.live for job in found)
+    return [job.id for job in found if job is not None and job.live]
+
+
+def kill(database: Database, url: str, kills: int, chance: random.Random) -> list[str]:
+    """Kill one worker after another while two jobs wait; gives the numbers of all jobs."""
+    numbers, waiting = list[str](), list[str]()
+    for _ in range(kills):
+        waiting = asyncio.run(live(database, waiting))
+        if len(waiting) < 2:
+            made = order(PIECES, str(len(numbers)))
+            asyncio.run(database.jobs.start(made))
+            numbers.append(made.id)
+            waiting.append(made.id)
+        killed(url, chance)
+    return numbers
+
+
+def finish(database: Database, url: str, numbers: list[str]) -> None:
+    """Let one more worker finish what is left."""
+    last, deadline = start(url), time.monotonic() + PATIENCE
+    while asyncio.run(live(database, numbers)) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    last.kill()
+    last.join()
 
 
 def main() -> None:
-    """Kill, keep enough jobs waiting, let the last worker finish, and count."""
+    """Kill, let the last worker finish, and count."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--store", choices=STORES, default="sqlite")
     given = parser.parse_args()
-    chance, numbers = random.Random(given.seed), list[str]()
     with stores(given.store) as (environment,):
         url = settings(environment).store_url
         database = Database(url)
-        for _ in range(given.kills):
-            if asyncio.run(live(database, numbers)) < 2:
-                made = order(PIECES, str(len(numbers)))
-                asyncio.run(database.jobs.start(made))
-                numbers.append(made.id)
-            killed(url, chance)
-        last, deadline = start(url), time.monotonic() + PATIENCE
-        while asyncio.run(live(database, numbers)) and time.monotonic() < deadline:
-            time.sleep(0.1)
-        last.kill()
-        last.join()
+        numbers = kill(database, url, given.kills, random.Random(given.seed))
+        finish(database, url, numbers)
         jobs = [asyncio.run(database.jobs.job(number)) for number in numbers]
         rows = [asyncio.run(database.jobs.plan(partial(rows_of, job=number)))[0] for number in numbers]
         database.close()
