@@ -275,9 +275,9 @@ def _formulas(givens: tuple[str, ...], lines: tuple[tuple[str, str | None], ...]
 def _states(
     formulas: Formulas, domains: tuple[tuple[str, Domain], ...], step: str, chance: tuple[bytes, str, int]
 ) -> States:
-    """Draw the states of a topology; variants whose seeds agree modulo `SETS` share them."""
+    """Draw the states of a topology; its steps, and variants whose seeds agree modulo `SETS`, share them."""
     secret, exercise, number = chance
-    words = b"\x1f".join((secret, exercise.encode(), str(number).encode(), step.encode()))
+    words = b"\x1f".join((secret, exercise.encode(), str(number).encode()))
     try:
         return drawn(dict(domains), words, formulas.defined(step), formulas.before(step))
     except UndefinedError as error:

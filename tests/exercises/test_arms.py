@@ -10,7 +10,7 @@ from exercises.grading import grade, reference
 from exercises.manipulators import _arm
 from exercises.manipulators._arm import Side, Sides, motion
 from exercises.manipulators._arm.motion import Arm
-from exercises.solving import evaluate
+from exercises.solving import evaluate, solved
 from figures.machine import Pair
 from graders import Code, Outcome, Verdict
 
@@ -98,3 +98,10 @@ def test_bodies_and_formulas_agree_on_an_arm_of_another_word() -> None:
     found = motion.oracle(arm, numbers, doubled="l_CD")
     for name, line in _arm.gripper(sides).items():
         assert evaluate(line, numbers) == pytest.approx(found[name], abs=1e-12)
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_the_judges_of_an_arm_share_its_true_motion(arm: str) -> None:
+    found = solved(variants.deal(arm, 3))
+    polygon, *rates = [found.reference(name).alone() for name in ("polygon", "velocities", "accelerations")]
+    assert rates == [polygon, polygon]

@@ -118,7 +118,7 @@ def _called(side: Side) -> tuple[str, str, str]:
     return side.angle, side.spin if own else "", side.surge if own else ""
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=512)  # sixteen sets of points for each topology of the three arms
 def _states(
     arm: Arm, sides: Sides, names: tuple[str, ...], points: tuple[tuple[float, ...], ...]
 ) -> Callable[[], tuple[State, ...]]:
