@@ -20,7 +20,7 @@ from itertools import cycle, islice  # noqa: E402
 
 from exercises import catalogue, variants  # noqa: E402
 from exercises.exercise import Submission  # noqa: E402
-from exercises.grading import grade  # noqa: E402
+from exercises.grading import grade, reference  # noqa: E402
 from exercises.solving import Solved  # noqa: E402
 from graders import Code  # noqa: E402
 from graders.language import AnswerSyntaxError  # noqa: E402
@@ -56,9 +56,9 @@ def judge_of(solved: Solved, name: str) -> Callable[[str], bool]:
 
 
 def judge(solved: Solved, count: Count) -> None:
-    """Judge all rewritings and mutants of one variant, and one whole submission made of rewritings."""
-    seed, typed = solved.variant.seed, {}
-    for name in solved.answers:
+    """Judge all rewritings and mutants of one variant, and one whole submission with rewritings where there are any."""
+    seed, typed = solved.variant.seed, dict(reference(solved.variant))
+    for name in answers.covered(solved):
         right, wrong, full = answers.right(solved, name), answers.wrong(solved, name), judge_of(solved, name)
         count.right += len(right)
         count.wrong += len(wrong)
