@@ -7,10 +7,11 @@ import logging
 import os
 import platform
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 
 from procrastinate import App, PsycopgConnector, RetryStrategy
 from procrastinate.exceptions import ConnectorException
+from procrastinate.jobs import Job, Status
 
 from server.database.queue import QUEUE, TASK
 from server.jobs.working import Bureau, work
@@ -45,9 +46,18 @@ def application(url: str, bureau: Bureau, most: int) -> App:
     async def take_back(timestamp: int) -> None:
         await bureau.jobs.take_back()
         for job in await app.job_manager.get_stalled_jobs(queue=QUEUE, seconds_since_heartbeat=SILENT):
-            await app.job_manager.retry_job(job)
+            with suppress(ConnectorException):  # another worker has taken it back meanwhile
+                await _taken_back(app, job)
 
     return app
+
+
+async def _taken_back(app: App, job: Job) -> None:
+    """Let a batch be tried again; what takes back comes by itself every time."""
+    if job.task_name == TASK:
+        await app.job_manager.retry_job(job)
+    else:
+        await app.job_manager.finish_job(job, Status.FAILED, delete_job=True)
 
 
 async def run(app: App, most: int, *, signals: bool) -> None:

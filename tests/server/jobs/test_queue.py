@@ -16,6 +16,7 @@ import pytest
 from sqlalchemy import text
 
 from server.database import Database
+from server.database.queue import QUEUE
 from server.jobs import queue
 from server.jobs.working import Bureau, work
 from server.settings import Settings
@@ -28,6 +29,7 @@ from tests.server.stores import lay
 WORKER = """
 import asyncio, sys
 from server.database import Database
+from server.database.queue import QUEUE
 from server.jobs import queue
 from server.jobs.working import Bureau
 from tests.server.jobs.counting import KINDS, Here
@@ -112,6 +114,30 @@ def test_a_killed_worker_s_batch_is_done_by_another(url: str, bureau: Bureau, mo
     _end_leases(bureau)
     found = finished(url, bureau, made.id)
     assert (found.state, found.result, rows(bureau, made.id)) == ("done", {"sum": 14}, 3)
+
+
+def test_what_killed_workers_left_is_taken_back_without_a_word_by_whoever_comes(
+    url: str, bureau: Bureau, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(queue, "TAKING_BACK", "* * * * * *")
+    made = order([1, 2], "left")
+    asyncio.run(bureau.jobs.start(made))
+    asyncio.run(bureau.jobs.plan(_killed_twice))
+    assert finished(url, bureau, made.id).state == "done"
+    assert asked(bureau, "SELECT id FROM procrastinate_jobs WHERE status = 'doing' AND task_name = 'take_back'") == []
+    assert "Traceback" not in caplog.text
+
+
+def _killed_twice(connection: Any) -> list[Any]:
+    """Leave what two workers leave that were killed while they took back and did a batch."""
+    taking = text(
+        "INSERT INTO procrastinate_jobs (queue_name, task_name, args, status, queueing_lock)"
+        " VALUES (:queue, 'take_back', jsonb_build_object('timestamp', 1), 'doing', 'take_back')"
+    )
+    connection.execute(taking, [{"queue": QUEUE}] * 2)
+    connection.execute(text("UPDATE procrastinate_jobs SET status = 'doing' WHERE task_name = 'batch'"))
+    connection.commit()
+    return []
 
 
 def _end_leases(bureau: Bureau) -> None:
