@@ -12,6 +12,7 @@ from hypothesis import HealthCheck
 from hypothesis import settings as examples
 
 from server.settings import Settings
+from tests.depth import amount
 from tests.server.stores import Postgres, lay, running
 
 Laid: TypeAlias = Callable[..., Settings]
@@ -19,7 +20,9 @@ REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 STORE = os.environ.get("GRUBLER_TEST_STORE", "sqlite")
 ELSEWHERE = {"browser", "site", "live"}  # what these need is tried in a browser or a process, on the embedded store
 
-examples.register_profile("grubler", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+examples.register_profile(
+    "grubler", max_examples=amount(30, 100), deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
 examples.load_profile("grubler")  # how long an example takes tells how busy the machine is
 
 
