@@ -14,6 +14,7 @@ from cli.problems import LANGUAGES, Unusable
 from cli.reading import LARGEST, LONGEST, read_answers, read_tasks
 from exercises.variants import MAX_SEED
 from tests.cli.calling import run, written
+from tests.depth import amount
 
 GOOD: dict[str, Any] = {"exercise": "slider_crank", "seed": 1, "answers": {"l3": "1 m"}}
 
@@ -153,7 +154,7 @@ json_values = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=amount(50, 150), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(document=json_values)
 def test_whatever_json_is_read_or_refused(document: Any, tmp_path: Path) -> None:
     try:

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from figures.beam import Couple, Dimension, Distributed, Force, Load, Mark, Support, draw
 from figures.picture import Table, Words
+from tests.depth import amount
 from tests.figures.reading import assert_sound, classes, heads, segments, texts
 
 WORDS = Words("Beam", "On two supports", Table(("name",), (("F1",),)))
@@ -37,7 +38,7 @@ def places(found: list[Load]) -> list[float]:
     return sorted(ends | {0.0, 5.0})
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=amount(20, 60), deadline=None)
 @given(loads(), st.integers(0, 20), st.integers(30, 50))
 def test_texts_of_a_random_beam_stand_apart_and_are_crossed_by_nothing(
     found: list[Load], left: int, right: int

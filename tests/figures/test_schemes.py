@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from figures import rod_group, slider_crank
 from figures.gear_train import Mesh, Wheel, draw
 from figures.picture import Picture, Table, Words
+from tests.depth import amount
 from tests.figures.reading import assert_sound, classes, heads, segments, texts, view
 
 WORDS = Words("Figure", "Description", Table(("name",), (("1",),)))
@@ -89,7 +90,7 @@ def trains(draw_: st.DrawFn) -> list[Mesh]:
     return meshes
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=amount(20, 60), deadline=None)
 @given(trains(), st.booleans())
 def test_a_random_gear_train_is_sound_and_names_every_wheel_once(meshes: list[Mesh], sense: bool) -> None:
     shafts = [f"{number}" for number in range(len(meshes) + 1)]

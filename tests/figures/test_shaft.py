@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from figures.picture import Table, Words
 from figures.shaft import Dimension, Ends, Segment, Torque, draw
+from tests.depth import amount
 from tests.figures.reading import assert_sound, classes, heads, texts
 
 WORDS = Words("Shaft", "Stepped", Table(("name",), (("T1",),)))
@@ -15,7 +16,7 @@ WORDS = Words("Shaft", "Stepped", Table(("name",), (("T1",),)))
 sizes = st.tuples(st.integers(10, 100), st.integers(20, 80), st.sampled_from((0, 10, 15)))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=amount(13, 40), deadline=None)
 @given(st.lists(sizes, min_size=1, max_size=5), st.sampled_from(("left", "right", "both", "none")), st.integers(0, 31))
 def test_texts_of_a_random_shaft_stand_apart(drawn: list[tuple[int, int, int]], fixed: Ends, signs: int) -> None:
     segments = [

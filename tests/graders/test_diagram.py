@@ -17,6 +17,7 @@ from graders.profile.stretches import Rows, Stretch, highest, profile_of, rows_o
 from graders.remarks import Remarks, Slip
 from graders.verdict import Verdict
 from graders.words import LANGUAGES, message, tolerance
+from tests.depth import amount
 from tests.graders.effort import effort
 
 NOTHING = Symbols(())
@@ -239,7 +240,7 @@ def test_diagrams_lie_apart_by_their_largest_difference_in_tolerances() -> None:
 numbers = st.floats(-9, 9).map(lambda x: round(x, 3))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=amount(13, 40), deadline=None)
 @given(st.lists(st.tuples(numbers, numbers, numbers), min_size=1, max_size=5))
 def test_every_diagram_is_right_as_it_is_shown_and_not_right_when_moved(found: list[tuple[float, ...]]) -> None:
     rows = tuple((float(k), float(k + 1), *(1e3 * c for c in curve)) for k, curve in enumerate(found))

@@ -22,6 +22,7 @@ from graders.language import Reason
 from graders.remarks import Remarks, Slip
 from graders.verdict import Verdict
 from graders.words import LANGUAGES, message, tolerance
+from tests.depth import amount
 from tests.graders.effort import effort
 
 NOTHING = Symbols(())
@@ -277,7 +278,7 @@ def test_a_bad_cell_is_named_with_its_place() -> None:
     assert ragged.value.position == 16
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=amount(10, 30), deadline=None)
 @given(st.integers(24, 200), st.floats(0, 1))
 def test_between_the_rows_of_the_reference_the_curve_is_true(rows: int, share: float) -> None:
     """Interpolation of 37 rows costs less than a hundredth of the tolerance."""

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from mechanics.beam import Beam, BeamResult, Distributed, Force, Load, Moment, Support, solve
 from mechanics.errors import UnstableError
 from mechanics.section import Circle, Rectangle, Ring
+from tests.depth import amount
 from tests.mechanics.structures import beams
 
 EJ = 1814400.0  # of SM-12, N m^2
@@ -188,7 +189,7 @@ def test_stress_needs_a_section() -> None:
     assert (found.W, found.sigma_max, found.tau_max) == (None, None, None)
 
 
-@settings(max_examples=35)
+@settings(max_examples=amount(11, 35))
 @given(beams())
 def test_loads_and_reactions_are_in_equilibrium(beam: Beam) -> None:
     found = solved(beam)
@@ -208,7 +209,7 @@ def test_loads_and_reactions_are_in_equilibrium(beam: Beam) -> None:
     assert sum(F * x for x, F in forces) + sum(couples) == pytest.approx(0.0, abs=1e-9 * scale * beam.L)
 
 
-@settings(max_examples=35)
+@settings(max_examples=amount(11, 35))
 @given(beams())
 def test_right_end_is_free_beyond_its_support_and_load(beam: Beam) -> None:
     found = solved(beam)
@@ -222,7 +223,7 @@ def test_right_end_is_free_beyond_its_support_and_load(beam: Beam) -> None:
     assert pytest.approx(0.0, abs=1e-9 * scale * beam.L + 1e-9 * found.M_abs_max) == M
 
 
-@settings(max_examples=35)
+@settings(max_examples=amount(11, 35))
 @given(beams(), st.floats(0.05, 0.95))
 def test_each_curve_is_the_integral_of_the_next(beam: Beam, share: float) -> None:
     """Gauss' three points integrate degree five exactly, so the differences hold to rounding."""
@@ -242,7 +243,7 @@ def test_each_curve_is_the_integral_of_the_next(beam: Beam, share: float) -> Non
         )
 
 
-@settings(max_examples=35)
+@settings(max_examples=amount(11, 35))
 @given(beams())
 def test_no_sample_passes_an_extreme(beam: Beam) -> None:
     found = solved(beam)
@@ -255,7 +256,7 @@ def test_no_sample_passes_an_extreme(beam: Beam) -> None:
         assert abs(sample.v) <= abs(found.v_extreme) * slack
 
 
-@settings(max_examples=35)
+@settings(max_examples=amount(11, 35))
 @given(beams())
 def test_deflection_is_continuous_and_meets_the_supports(beam: Beam) -> None:
     found = solved(beam)

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from mechanics import chain, transform
 from mechanics.chain import Chain, ChainMotion, pair_matrix
 from mechanics.dh import Convention, Matrix, Row, Vector
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 numbers = st.floats(-4, 4)
 rows = st.builds(Row, st.sampled_from(["R", "P"]), numbers, numbers, numbers, numbers, st.sampled_from([1, -1]))

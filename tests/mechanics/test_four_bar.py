@@ -14,8 +14,9 @@ from mechanics.four_bar import Mode, assemblies, crank_turns, position, solve
 from mechanics.linkage import LinkageMotion
 from mechanics.newton_linkages import four_bar_motion
 from mechanics.planar import Marker
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 modes: st.SearchStrategy[Mode] = st.sampled_from(["C_left_of_BD", "C_right_of_BD"])
 rates = st.floats(-30, 30)
 VP_4 = (0.1, 0.26, 0.22, 0.3)

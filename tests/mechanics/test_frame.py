@@ -15,6 +15,7 @@ from mechanics.errors import UnbalancedError, UnstableError
 from mechanics.frame import FrameBeam
 from mechanics.members import Beam, Distributed, Force, Moment, Segment, Shaft, Support, Torque
 from mechanics.section import Circle, Rectangle, Ring
+from tests.depth import amount
 from tests.mechanics.structures import beams, shafts
 
 RTOL = 1e-8
@@ -45,7 +46,7 @@ def size(beam: Beam, found: BeamResult) -> tuple[float, float]:
     return force, force * beam.L
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(beams())
 def test_reactions_agree(beam: Beam) -> None:
     found, oracle = both(beam)
@@ -56,7 +57,7 @@ def test_reactions_agree(beam: Beam) -> None:
         assert pytest.approx(other.M, rel=RTOL, abs=RTOL * moment) == one.M
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(beams(), st.floats(0, 1))
 def test_samples_agree(beam: Beam, share: float) -> None:
     found, oracle = both(beam)
@@ -70,7 +71,7 @@ def test_samples_agree(beam: Beam, share: float) -> None:
     assert sample.theta == pytest.approx(oracle.slope(x), abs=RTOL * sag / beam.L)
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(beams())
 def test_extremes_agree(beam: Beam) -> None:
     found, oracle = both(beam)
@@ -85,7 +86,7 @@ def test_extremes_agree(beam: Beam) -> None:
     assert found.v_extreme == pytest.approx(oracle.deflection(found.x_v_extreme), abs=RTOL * sag)
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(beams())
 def test_nodes_of_the_frame_lie_on_the_elastic_line(beam: Beam) -> None:
     found, oracle = both(beam)
@@ -97,7 +98,7 @@ def test_nodes_of_the_frame_lie_on_the_elastic_line(beam: Beam) -> None:
         assert sample.theta == pytest.approx(node.theta_left if node.x else node.theta_right, abs=RTOL * sag / beam.L)
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(beams())
 def test_elements_of_the_frame_are_in_equilibrium(beam: Beam) -> None:
     found, oracle = both(beam)
@@ -148,7 +149,7 @@ def test_shear_of_a_load_that_changes_sign_is_extreme_where_the_load_is_zero() -
     assert max(abs(frame.solve_beam(swung).shear(x / 100)) for x in range(301)) == pytest.approx(abs(V))
 
 
-@settings(max_examples=30)
+@settings(max_examples=amount(10, 30))
 @given(shafts())
 def test_shafts_agree(given_shaft: Shaft) -> None:
     found, oracle = shaft.solve(given_shaft), frame.solve_shaft(given_shaft)

@@ -19,8 +19,9 @@ from mechanics.rack import Rack
 from mechanics.screw import Hand, Screw
 from mechanics.willis import Stage
 from mechanics.worm import Worm
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 teeth = st.integers(12, 120)
 kinds: st.SearchStrategy[MeshType] = st.sampled_from(["external", "internal"])

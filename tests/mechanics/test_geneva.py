@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from mechanics import geneva
 from mechanics.geneva import Geneva
 from mechanics.linkage import LinkageMotion
+from tests.depth import amount
 
-quick = settings(max_examples=60, deadline=None)
+quick = settings(max_examples=amount(20, 60), deadline=None)
 drives = st.builds(Geneva, st.integers(3, 20), st.floats(0.01, 2))
 shares = st.floats(-0.999, 0.999)
 

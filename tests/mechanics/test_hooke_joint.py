@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from mechanics import hooke_joint
 from mechanics.errors import SingularError
 from mechanics.linkage import principal
+from tests.depth import amount
 
-quick = settings(max_examples=60, deadline=None)
+quick = settings(max_examples=amount(20, 60), deadline=None)
 betas = st.floats(-1.4, 1.4)
 angles = st.floats(-9, 9)
 rates = st.floats(-50, 50)

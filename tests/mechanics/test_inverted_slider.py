@@ -13,9 +13,10 @@ from mechanics.inverted_slider import solve
 from mechanics.linkage import LinkageMotion
 from mechanics.newton_linkages import inverted_slider_motion
 from mechanics.planar import Marker
+from tests.depth import amount
 from tests.mechanics.motions import moved_apart, off_slopes, turned_apart
 
-quick = settings(max_examples=30, deadline=None)
+quick = settings(max_examples=amount(10, 30), deadline=None)
 rates = st.floats(-20, 20)
 
 

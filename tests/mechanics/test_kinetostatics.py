@@ -12,8 +12,9 @@ from mechanics import force_equations, kinetostatics, reduction, slider_crank
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.kinetostatics import SliderCrank, free_bodies, solve
 from mechanics.slider_crank import Branch
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 branches: st.SearchStrategy[Branch] = st.sampled_from(["slider_right", "slider_left"])
 masses, inertias, shares = st.floats(0, 5), st.floats(0, 0.1), st.floats(-0.5, 1.5)
 machines = st.builds(

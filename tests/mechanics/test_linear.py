@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 
 from mechanics import linear
 from mechanics.errors import SingularError
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 small = st.integers(-9, 9)
 

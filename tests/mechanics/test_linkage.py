@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.linkage import principal
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 
 @quick

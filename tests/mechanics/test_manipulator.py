@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from mechanics.manipulator import Angles, jacobian, solve
 from mechanics.newton_linkages import manipulator_motion
 from mechanics.planar import Marker
+from tests.depth import amount
 from tests.mechanics.motions import moved_apart, off_slopes
 
 values = st.floats(-2, 2)
@@ -25,7 +26,7 @@ def chains(draw: st.DrawFn) -> tuple[str, list[float], list[float], list[float],
     return word, q, qd, qdd, lengths, draw(values), draw(st.booleans())
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=amount(10, 30), deadline=None)
 @given(chain=chains())
 def test_closed_form_agrees_with_newton(
     chain: tuple[str, list[float], list[float], list[float], list[float], float, bool],

@@ -14,8 +14,9 @@ from mechanics import finite_differences, four_bar, slider_crank, transfer
 from mechanics.errors import SingularError
 from mechanics.motion_law import constant_output, drive_law, fastest_extension
 from mechanics.transfer import Transfer
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 sizes = st.floats(0.05, 5)
 
 

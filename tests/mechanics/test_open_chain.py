@@ -11,8 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics.open_chain import Axis, Kind, functional_group, spare_freedoms, tip_freedom
+from tests.depth import amount
 
-quick = settings(max_examples=50, deadline=None)
+quick = settings(max_examples=amount(16, 50), deadline=None)
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 whole = st.integers(-3, 3).map(float)
 vectors = st.tuples(whole, whole, whole)

@@ -14,6 +14,7 @@ from mechanics.errors import AssemblyError, SingularError
 from mechanics.newton_linkages import four_bar_joints
 from mechanics.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute
 from mechanics.slider_crank import Branch
+from tests.depth import amount
 
 lengths = st.floats(0.02, 2)
 angles = st.floats(-10, 10)
@@ -21,7 +22,7 @@ rates = st.floats(-30, 30)
 branches: st.SearchStrategy[Branch] = st.sampled_from(["slider_right", "slider_left"])
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=amount(13, 40), deadline=None)
 @given(
     crank=lengths,
     ratio=st.floats(1.4, 10),

@@ -15,9 +15,10 @@ from mechanics.reduction import Coordinate, Reduced, slider_crank_machine
 from mechanics.slider_crank import Branch
 from mechanics.transfer import Transfer
 from mechanics.vectors import add, cross, scaled
+from tests.depth import amount
 from tests.mechanics.chains import vectors
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 angles, rates = st.floats(-10, 10), st.floats(-30, 30)
 loads = st.floats(-500, 500)
 MASSES = {"m2": 0.9, "m3": 1.5, "J1": 0.002, "J2": 0.007}

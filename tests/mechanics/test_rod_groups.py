@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 from mechanics import rod_groups, transform
 from mechanics.dh import Vector
 from mechanics.errors import AssemblyError, SingularError
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 LENGTHS: Mapping[str, Mapping[str, float]] = {
     "PPP": {"d": 0.15},
@@ -142,7 +143,7 @@ near_zero = st.one_of(st.just(0.0), st.floats(-17, -1).map(lambda power: 10**pow
 near_singular = st.tuples(st.sampled_from([0.0, pi / 2, -pi / 2, pi]), near_zero).map(sum)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=amount(66, 200), deadline=None)
 @given(groups, st.tuples(*[st.one_of(near_singular, st.floats(-3, 3))] * 3), st.floats(-4, 4), near_zero)
 def test_near_a_singular_position_a_branch_is_right_or_the_task_is_refused_by_name(
     group: str, q: Vector, power: float, out: float

@@ -18,6 +18,7 @@ from mechanics.shaft import (
     required_diameter_strength,
     solve,
 )
+from tests.depth import amount
 from tests.mechanics.structures import shafts
 
 G = 8e10  # Pa
@@ -114,7 +115,7 @@ def test_no_limit_gives_no_design() -> None:
     assert solve(Shaft(G, (Segment(1.0, 0.06),), (Torque(1.0, 500.0),))).design is None
 
 
-@settings(max_examples=40)
+@settings(max_examples=amount(13, 40))
 @given(st.floats(1.0, 1e5), st.floats(0, 0.95))
 def test_required_diameters_return_the_limits(torque: float, ratio: float) -> None:
     by_strength = required_diameter_strength(-torque, 6e7, ratio)
@@ -125,7 +126,7 @@ def test_required_diameters_return_the_limits(torque: float, ratio: float) -> No
     assert stiff.pieces[0].twist_per_m == pytest.approx(0.0087)
 
 
-@settings(max_examples=40)
+@settings(max_examples=amount(13, 40))
 @given(shafts())
 def test_torques_and_reactions_cancel_and_jump_by_the_loads(shaft: Shaft) -> None:
     found = solve(shaft)
@@ -136,7 +137,7 @@ def test_torques_and_reactions_cancel_and_jump_by_the_loads(shaft: Shaft) -> Non
     assert pytest.approx(left_of_first, abs=1e-12 * scale) == found.pieces[0].T
 
 
-@settings(max_examples=40)
+@settings(max_examples=amount(13, 40))
 @given(shafts(support="fixed_fixed"))
 def test_shaft_between_clamps_keeps_its_ends(shaft: Shaft) -> None:
     found = solve(shaft)

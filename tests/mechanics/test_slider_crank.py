@@ -12,8 +12,9 @@ from mechanics import slider_crank
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import LinkageMotion
 from mechanics.slider_crank import Branch, position, solve, stroke
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 lengths = st.floats(0.02, 2)
 angles = st.floats(-10, 10)

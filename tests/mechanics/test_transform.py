@@ -25,8 +25,9 @@ from mechanics.transform import (
     trans_z,
     velocity_matrix,
 )
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 numbers = st.floats(-4, 4)
 rows = st.builds(Row, st.sampled_from(["R", "P"]), numbers, numbers, numbers, numbers, st.sampled_from([1, -1]))

@@ -13,13 +13,14 @@ from mechanics.linkage import LinkageMotion
 from mechanics.newton_linkages import variable_length_link_motion
 from mechanics.planar import Marker
 from mechanics.variable_length_link import solve
+from tests.depth import amount
 from tests.mechanics.motions import moved_apart, off_slopes, turned_apart
 
 lengths = st.floats(0.1, 1)
 rates = st.floats(-2, 2)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=amount(10, 30), deadline=None)
 @given(AC=lengths, BC=lengths, part=st.floats(0.05, 0.95), rate=rates, second=rates)
 def test_closed_form_agrees_with_the_triangle_and_with_newton(
     AC: float, BC: float, part: float, rate: float, second: float

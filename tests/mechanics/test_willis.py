@@ -20,8 +20,9 @@ from mechanics.willis import (
     planets_clear,
     third_speed,
 )
+from tests.depth import amount
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 teeth = st.integers(12, 120)
 BLOCK = [Stage(51, 50), Stage(49, 52)]

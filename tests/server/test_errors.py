@@ -18,6 +18,7 @@ from server.app import create_app
 from server.errors import Refused
 from server.settings import Settings
 from server.storage import StorageUnavailable
+from tests.depth import amount
 
 JSON = {"content-type": "application/json"}
 KEYS = {"code", "message", "field", "position", "opens", "request_id"}
@@ -221,7 +222,7 @@ TEXTS = st.recursive(
 )
 
 
-@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=amount(10, 30), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(answers=TEXTS, extra=st.dictionaries(st.text(max_size=8), TEXTS, max_size=2))
 def test_no_body_brings_the_server_down(
     client: TestClient, deal: Callable[..., str], answers: Any, extra: dict[str, Any]
@@ -231,7 +232,7 @@ def test_no_body_brings_the_server_down(
     assert reply.status_code in (201, 422), reply.text
 
 
-@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=amount(10, 30), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(text=st.text(max_size=200))
 def test_no_text_brings_the_judging_down(client: TestClient, deal: Callable[..., str], text: str) -> None:
     number, answers = deal(), {"l3": text, "omega2_formula": text}

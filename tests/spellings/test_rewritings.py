@@ -13,11 +13,12 @@ from exercises.grading import grade, reference
 from exercises.solving import Solved
 from graders import Code, Quantity, Symbols, Verdict
 from graders.language import AnswerSyntaxError
+from tests.depth import amount
 from tests.spellings import amounts, answers
 from tests.spellings.answers import Spelled
 from tests.spellings.units import GROUPS, group_of
 
-SEEDS = range(5)  # `benchmarks/spellings.py` takes two hundred
+SEEDS = range(amount(2, 5))  # `benchmarks/spellings.py` takes two hundred
 LEAST_RIGHT, LEAST_WRONG = 12, 8
 
 

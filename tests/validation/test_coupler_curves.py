@@ -20,6 +20,7 @@ from mechanics import four_bar
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.four_bar import Mode
 from mechanics.linkage import LinkageMotion, principal
+from tests.depth import amount
 
 modes: st.SearchStrategy[Mode] = st.sampled_from(["C_left_of_BD", "C_right_of_BD"])
 BARS = (0.1, 0.26, 0.22, 0.3)
@@ -29,7 +30,7 @@ def points(motion: LinkageMotion) -> list[complex]:
     return [complex(values["P_x"], values["P_y"]) for values in motion[:3]]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=amount(13, 40), deadline=None)
 @given(
     angle=st.floats(-3, 3), omega=st.floats(-20, 20), epsilon=st.floats(-20, 20), u=st.floats(-0.3, 0.3),
     v=st.floats(0.02, 0.3), mode=modes,

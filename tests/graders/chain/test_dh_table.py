@@ -17,6 +17,7 @@ from graders.language.text import text_of
 from graders.language.tree import Binary, Grid, Name, Number
 from graders.verdict import Flaw, Flaws, Verdict
 from graders.words import LANGUAGES, message, tolerance
+from tests.depth import amount
 from tests.graders.chain.truth import TABLES, modified, motion
 from tests.graders.effort import effort
 
@@ -221,7 +222,7 @@ CHOICES = st.lists(st.tuples(st.booleans(), st.integers(0, 1)), max_size=8)
 
 
 @given(st.sampled_from(sorted(TABLES)), CHOICES, st.lists(st.sampled_from((-2, 2, 4)), min_size=3, max_size=3))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=amount(20, 60), deadline=None)
 def test_turning_frames_about_their_axes_and_whole_turns_change_nothing(
     group: str, choices: list[tuple[bool, int]], turns: list[int]
 ) -> None:
@@ -234,7 +235,7 @@ def test_turning_frames_about_their_axes_and_whole_turns_change_nothing(
 
 
 @given(CHOICES)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=amount(10, 30), deadline=None)
 def test_turning_modified_frames_changes_nothing(choices: list[tuple[bool, int]]) -> None:
     rows = rows_of(MODIFIED.table, MODIFIED)
     for about_x, at in choices:
@@ -245,7 +246,7 @@ def test_turning_modified_frames_changes_nothing(choices: list[tuple[bool, int]]
 @given(
     st.sampled_from(sorted(TABLES)), st.integers(0, 2), st.integers(0, 3), st.sampled_from(("0.03", "0.7", "1", "L9"))
 )
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=amount(26, 80), deadline=None)
 def test_an_entry_that_moves_a_link_or_the_tool_is_never_right(group: str, row: int, column: int, by: str) -> None:
     """Right only where the entry is free: the turn about the last x of an arm whose tool point lies on that x."""
     truth = MOTIONS[group]

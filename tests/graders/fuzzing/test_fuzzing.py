@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from graders import KINDS
+from tests.depth import amount
 from tests.graders.effort import effort
 from tests.graders.fuzzing.attack import Found, Target, attack, one, targets
 
@@ -54,7 +55,7 @@ def each_kind() -> dict[str, Target]:
     return {target.grader.kind: target for target in every()}
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", range(amount(1, 3)))
 def test_no_random_text_makes_a_reader_or_a_judge_fail(seed: int) -> None:
     assert attack(every(), seed, 1000).crashes == []
 
@@ -80,7 +81,7 @@ def test_the_same_seed_hands_in_the_same_texts() -> None:
     assert (one_run.tokens, one_run.kinds, one_run.reasons) == (other.tokens, other.kinds, other.reasons)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=amount(100, 300), deadline=None)
 @given(st.integers(0, 10**6), st.text(max_size=60) | st.text(alphabet="\\{}^_frac&leftigh()[]|12x,. ", max_size=60))
 def test_any_characters_are_read_or_refused_with_a_place_inside_them(number: int, text: str) -> None:
     found = Found()

@@ -20,6 +20,7 @@ from graders.language.mathml import mathml_of, symbol_mathml
 from graders.language.program import Builder, Program, Runner
 from graders.language.text import text_of
 from graders.language.tree import names
+from tests.depth import amount
 from tests.graders.language.trees import MATRICES, NAMES, matrices, relations, trees, written
 
 DECLARED = Symbols([*NAMES, *MATRICES])
@@ -37,19 +38,19 @@ def value(text: str) -> float:
     return float(run(runner, [POINT[name] for name in runner.inputs])[0])
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=amount(100, 300), deadline=None)
 @given(st.one_of(written, matrices, relations))
 def test_a_printed_tree_reads_back_as_the_same_tree(tree: Tree) -> None:
     assert parse(text_of(tree), DECLARED) == tree
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=amount(100, 300), deadline=None)
 @given(st.one_of(written, matrices, relations), st.booleans())
 def test_a_tree_printed_as_latex_reads_back_as_the_same_tree(tree: Tree, comma: bool) -> None:
     assert parse(latex_of(tree, comma), DECLARED) == tree
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=amount(33, 100), deadline=None)
 @given(st.one_of(written, matrices))
 def test_mathml_is_well_formed_and_latex_balances_its_braces(tree: Tree) -> None:
     assert ElementTree.fromstring(mathml_of(tree)).tag == "math"
@@ -188,7 +189,7 @@ def test_symbols_are_shown_with_subscripts_and_greek_letters(name: str, shown: s
     assert symbol_mathml(name) == f"<math>{shown}</math>"
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=amount(50, 150), deadline=None)
 @given(trees)
 def test_a_double_lies_within_the_ball_of_its_own_precision(tree: Tree) -> None:
     """Two arithmetics, one program: the rounding of 53 bits, as the ball counts it, bounds the error of the double."""
@@ -234,7 +235,7 @@ def test_hostile_text_is_answered_at_once(hostile: str) -> None:
     assert best < 0.5  # s, on a loaded machine; the benchmarks measure
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=amount(100, 300), deadline=None)
 @given(st.text(alphabet=st.sampled_from("lαx1+-*/^()[]<>|=;,.'\"°√² eE_ а"), max_size=40))
 def test_any_text_is_read_or_refused_with_a_place_inside_it(text: str) -> None:
     try:

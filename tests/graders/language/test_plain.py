@@ -12,6 +12,7 @@ from graders.language import AnswerSyntaxError, Symbols, Tree, parse, plain
 from graders.language.parser import _Parser
 from graders.language.text import text_of
 from graders.language.tokens import tokenize
+from tests.depth import amount
 from tests.graders.language.trees import NAMES, trees
 
 DECLARED = Symbols([*NAMES, "E", "ln1", "pi0"], ["omega2"])
@@ -26,7 +27,7 @@ def parsed(text: str) -> Tree | None:
         return None
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=amount(66, 200), deadline=None)
 @given(trees)
 def test_a_printed_tree_is_read_alike(tree: Tree) -> None:
     text = text_of(tree)

@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from graders import Code
 from graders.kinds.polygon import Polygon
 from graders.polygon.mechanism import Mechanism
+from tests.depth import amount
 from tests.graders.polygon.judging import STANDARD, judged
 from tests.graders.polygon.mechanisms import FOUR_BAR, OFFSET, SLIDER, TWO_LOOPS, four_bar_states, slider_states
 
-quick = settings(max_examples=40, deadline=None)
+quick = settings(max_examples=amount(13, 40), deadline=None)
 
 
 @pytest.mark.parametrize("name", STANDARD)

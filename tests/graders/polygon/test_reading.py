@@ -12,6 +12,7 @@ from graders.language import Reason
 from graders.language.text import text_of
 from graders.polygon.drawn import Drawn
 from graders.polygon.reading import read_polygon
+from tests.depth import amount
 from tests.graders.polygon.mechanisms import FOUR_BAR, OFFSET, ROCKING, SLIDER, TWO_LOOPS
 
 SYMBOLS = Symbols(["l1", "l2", "alpha1"], ["alpha2", "l3"])
@@ -147,7 +148,7 @@ def test_the_echo_reads_back_as_the_same_polygon(mechanism: object) -> None:
 TEXTS = st.text(alphabet="ABC l1alph2x:y;,=>+-*()0\nκąтcosure→°'_.", max_size=80)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=amount(100, 300), deadline=None)
 @given(TEXTS)
 def test_any_text_is_read_or_refused_inside_it(text: str) -> None:
     for start in ("", "l1: A > B, length l1, angle alpha1\n"):

@@ -11,6 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from server.marks.analysis import LEAST, Try, analysed, common, correlation, fairness, fisher, holm
+from tests.depth import amount
 
 PAIRS = st.lists(st.tuples(st.floats(0, 1), st.floats(0, 40)), min_size=3, max_size=40)
 
@@ -23,7 +24,7 @@ def tries(*groups: tuple[str, int, int]) -> list[Try]:
     return found
 
 
-@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=amount(16, 50), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(PAIRS)
 def test_the_correlation_is_that_of_numpy(pairs: list[tuple[float, float]]) -> None:
     one, other = map(list, zip(*pairs, strict=True))

@@ -13,6 +13,7 @@ from server.marks.counting import by_submission, earned, entries, left_open, uns
 from server.sets.rules import Rules, kept, result
 from server.storage.marks import Mark
 from server.storage.sets import Line
+from tests.depth import amount
 
 NOON = datetime(2026, 12, 1, 12, tzinfo=UTC)
 WEIGHTS = {"l3": 1.0, "v3": 3.0}
@@ -96,7 +97,7 @@ EVENTS = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=amount(20, 60), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(EVENTS)
 def test_no_regrade_and_no_later_submission_erases_a_mark(events: list[tuple[str, str, float]]) -> None:
     """After any history the last share given to an answer is what it earns, unless the whole was marked after it."""

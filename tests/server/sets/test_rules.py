@@ -26,6 +26,7 @@ from server.sets.rules import (
     window,
     worth,
 )  # fmt: skip
+from tests.depth import amount
 
 OPENS = datetime(2026, 11, 30, 7, tzinfo=UTC)
 DUE = datetime(2026, 12, 7, 22, 59, tzinfo=UTC)
@@ -124,7 +125,7 @@ def test_what_was_not_counted_neither_earns_nor_hides() -> None:
     keep=st.sampled_from(["best", "last"]),
     late=st.sampled_from(["refused", "accepted", "reduced"]),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=amount(20, 60), deadline=None)
 def test_a_better_attempt_never_lowers_the_score(
     shares: list[float], better: float, hours: int, keep: str, late: str
 ) -> None:
