@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from figures.diagram import HEIGHT, SPAN, Curve, Part, Value, draw
 from figures.picture import Table, Words
+from tests.depth import amount
 from tests.figures.reading import assert_sound, classes, texts
 
 WORDS = Words("V and M", "Diagrams of a beam", Table(("x", "V"), (("0", "1"),)))
@@ -80,7 +81,7 @@ def test_what_cannot_be_drawn_is_refused_by_name(length: float, curves: tuple[Cu
 heights = st.integers(-9, 9).map(float)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=amount(8, 15), deadline=None)
 @given(st.lists(st.tuples(heights, heights, heights), min_size=1, max_size=6), st.booleans())
 def test_texts_of_a_random_diagram_are_crossed_by_nothing(found: list[tuple[float, ...]], down: bool) -> None:
     parts = tuple(Part(k, k + 1, curve) for k, curve in enumerate(found))

@@ -13,10 +13,11 @@ from mechanics.chain import Chain
 from mechanics.dh import Convention
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.slider_crank import Branch
+from tests.depth import amount
 from tests.mechanics.chains import Moving, conventions, moving, vectors
 from tests.mechanics.test_rod_groups import LENGTHS, groups, variables
 
-quick = settings(max_examples=25, deadline=None)
+quick = settings(max_examples=amount(8, 25), deadline=None)
 SMALL = st.tuples(*[st.floats(-1e-3, 1e-3)] * 3)
 
 

@@ -22,6 +22,7 @@ from mechanics.class_iii import (
 )
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import principal
+from tests.depth import amount
 from tests.mechanics.examples.higher_class import unit
 
 
@@ -50,7 +51,7 @@ def gaps(one: Unit, found: Assembly) -> list[float]:
     ]
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(amount(4, 12)))
 def test_the_drawn_position_is_found_and_every_assembly_closes(seed: int) -> None:
     one, alpha5 = drawn(seed)
     found = assemblies(one)

@@ -6,12 +6,13 @@ from random import Random
 
 import pytest
 
+from tests.depth import amount
 from tests.mechanics.hostile_linkages import KINDS, attack
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_hostile_linkages_are_solved_or_refused(kind: str) -> None:
-    count = 25 if kind in ("class_iii", "bodies") else 300
+    count = amount(9, 25) if kind in ("class_iii", "bodies") else amount(100, 300)
     found = attack(7, count, kind)
     assert found.solved > count / 3 and found.worst < 1e-9, found
     assert kind in ("manipulator", "class_iii", "bodies") or found.refused["SingularError"] > 0

@@ -14,9 +14,10 @@ from mechanics.chain import Chain
 from mechanics.dh import Convention, Row, Vector
 from mechanics.links import LinkMass, ToolLoad
 from mechanics.vectors import add, dot, scaled, subtract, times
+from tests.depth import amount
 from tests.mechanics.chains import Moving, conventions, diagonal, moving, vectors
 
-quick = settings(max_examples=25, deadline=None)
+quick = settings(max_examples=amount(8, 25), deadline=None)
 G: Vector = (1.5, -2.0, -9.81)  # leaning, so that no axis is spared
 
 

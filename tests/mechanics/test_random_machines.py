@@ -6,13 +6,14 @@ from random import Random
 
 import pytest
 
+from tests.depth import amount
 from tests.mechanics import judged_machines
 
 
 @pytest.mark.parametrize("judge", [judged_machines.train, judged_machines.structure])
 def test_random_machines_are_solved_or_refused_by_name(judge: judged_machines.Judge) -> None:
     chance = Random(7)
-    outcomes = {judge(chance) for _ in range(40)}
+    outcomes = {judge(chance) for _ in range(amount(12, 40))}
     assert "solved" in outcomes
 
 

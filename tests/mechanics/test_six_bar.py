@@ -16,9 +16,10 @@ from mechanics.newton_linkages import six_bar_motion, two_loop_motion
 from mechanics.planar import Marker
 from mechanics.six_bar import DyadMode
 from mechanics.slider_crank import Branch
+from tests.depth import amount
 from tests.mechanics.motions import moved_apart, off_slopes, turned_apart
 
-quick = settings(max_examples=20, deadline=None)
+quick = settings(max_examples=amount(8, 20), deadline=None)
 BARS = (0.1, 0.26, 0.22, 0.3)
 modes: st.SearchStrategy[Mode] = st.sampled_from(["C_left_of_BD", "C_right_of_BD"])
 dyad_modes: st.SearchStrategy[DyadMode] = st.sampled_from(["Q_left_of_PG", "Q_right_of_PG"])

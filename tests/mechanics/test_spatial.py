@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from mechanics.spatial import SpatialPair, closure, spatial_pair
 from mechanics.structure import CLASSES
+from tests.depth import amount
 
 parts = st.lists(st.floats(-1.5, 1.5), min_size=12, max_size=12)
 H = 1e-6
@@ -26,7 +27,7 @@ def differences(pair: SpatialPair, at: list[float]) -> Any:
     return np.array(columns).T
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=amount(8, 15), deadline=None)
 @given(st.sampled_from(sorted(set(CLASSES) - {"H"})), parts)
 def test_slopes_are_those_of_the_gaps(kind: str, at: list[float]) -> None:
     pair = spatial_pair(kind, (1, 2), (0.3, -0.2, 0.5), (1.0, 2.0, -1.0), (2.0, -1.0, 0.0))

@@ -13,8 +13,9 @@ from mechanics.drawing import Line, Point
 from mechanics.errors import SingularError
 from mechanics.newton_linkages import four_bar_motion
 from mechanics.planar import Marker, Motion
+from tests.depth import amount
 
-quick = settings(max_examples=25, deadline=None)
+quick = settings(max_examples=amount(8, 25), deadline=None)
 BARS = (0.1, 0.26, 0.22, 0.3)
 A, B, V_A = (0.0, 0.0), (0.4, 0.3), (2.0, 0.5)
 V_B = velocity.decompose(A, B, V_A, 9.1).v_B

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from mechanics import chain, transform
 from mechanics.chain import Chain
 from mechanics.dh import Row
+from tests.depth import amount
 
 A2, A3, D3, D4 = 0.4318, 0.0203, 0.1244, 0.4318  # m
 PUMA = (
@@ -47,7 +48,7 @@ def published(q: tuple[float, ...]) -> list[list[float]]:
     ]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=amount(8, 25), deadline=None)
 @given(st.tuples(*[st.floats(-4, 4)] * 6))
 def test_the_pose_is_the_published_one(q: tuple[float, ...]) -> None:
     expected = [x for row in published(q) for x in row]

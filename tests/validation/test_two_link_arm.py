@@ -15,6 +15,7 @@ from mechanics import link_frames, newton_euler
 from mechanics.chain import Chain
 from mechanics.dh import Row, Vector
 from mechanics.links import LinkMass
+from tests.depth import amount
 from tests.mechanics.chains import diagonal
 
 POINT = diagonal(0, 0, 0)
@@ -40,7 +41,7 @@ def published(
     return [first, second]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=amount(8, 25), deadline=None)
 @given(st.tuples(sizes, sizes), st.tuples(sizes, sizes), angles, angles, angles)
 def test_both_conventions_give_the_published_torques(
     l: tuple[float, float],

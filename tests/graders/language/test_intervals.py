@@ -11,6 +11,7 @@ from graders.language import parse_line
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.intervals import INTERVALS
 from graders.language.program import Builder, Runner
+from tests.depth import amount
 
 LINES = [
     "x*y - x/(y + 3)", "x*x", "x^2 - y^3", "sin(3*x) + cos(5*y)", "tan(x/3)*cot(y/9 + 2)", "asin(x/3)*acos(y/3)",
@@ -26,7 +27,7 @@ def test_an_interval_holds_the_values_of_its_points(line: str) -> None:
     builder, chance = Builder(("x", "y")), random.Random(line)
     program = builder.program(builder.add(parse_line(line)))
     doubles, intervals = Runner(program, DOUBLES), Runner(program, INTERVALS)
-    for _ in range(60):
+    for _ in range(amount(20, 60)):
         box = [tuple(sorted((chance.uniform(-3, 3), chance.uniform(-3, 3)))) for _ in range(2)]
         low, high = intervals.run(box)[0]
         for _ in range(8):

@@ -12,6 +12,7 @@ from graders.language import parse_line
 from graders.language.doubles import UndefinedError, line_runner, run
 from graders.polygon.jets import FUNCTIONS, Trio, jet, sensitive
 from graders.polygon.walks import rank
+from tests.depth import amount
 
 FORMULAS = [
     "a + b - a*b/(2 + b)",
@@ -33,7 +34,7 @@ FORMULAS = [
 values = st.floats(0.3, 2.0)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=amount(8, 25), deadline=None)
 @given(a=values, b=values, da=st.floats(-1, 1), db=st.floats(-1, 1), dda=st.floats(-1, 1))
 @pytest.mark.parametrize("text", FORMULAS)
 def test_rates_are_the_differences_of_values(text: str, a: float, b: float, da: float, db: float, dda: float) -> None:
@@ -54,7 +55,7 @@ def test_rates_are_the_differences_of_values(text: str, a: float, b: float, da: 
     assert found[2] == pytest.approx((at(step) - 2 * at(0) + at(-step)) / step**2, rel=1e-3, abs=1e-3)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=amount(8, 25), deadline=None)
 @given(a=values, b=values)
 @pytest.mark.parametrize("text", FORMULAS)
 def test_a_sensitivity_is_at_least_what_a_small_change_does(text: str, a: float, b: float) -> None:

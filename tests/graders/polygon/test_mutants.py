@@ -12,6 +12,7 @@ from graders.kinds.rates import Rates
 from graders.polygon.mechanism import Mechanism
 from graders.verdict import Flaws
 from graders.words import LANGUAGES, message
+from tests.depth import amount
 from tests.graders.polygon.mechanisms import FOUR_BAR, ROCKING, SLIDER, TWO_LOOPS
 
 PIECES = ["+", "-", "*", "=", "0", "2", "l1", "l2", "alpha1", "alpha2", "cos(", "sin(", ")", ",", ";", ":", "A", "B",
@@ -30,7 +31,7 @@ def mutant(text: str, rng: Random) -> str:
 def test_every_mutant_is_judged_or_refused(mechanism: Mechanism) -> None:
     rng, symbols = Random(7), Symbols(mechanism.states()[0].names)
     grader, judged = Polygon(mechanism.nodes, "alpha2"), 0
-    for _ in range(150):
+    for _ in range(amount(50, 150)):
         try:
             drawn = grader.parse(mutant(mechanism.polygon, rng), symbols)
         except AnswerSyntaxError:
@@ -47,7 +48,7 @@ def test_every_mutant_is_judged_or_refused(mechanism: Mechanism) -> None:
             if rates.show(mechanism):
                 typed = rates.parse(rates.show(mechanism), symbols)
                 assert 0 <= rates.check(typed, mechanism.beside(drawn)).score <= 1
-    assert judged > 20
+    assert judged > amount(6, 20)
 
 
 @pytest.mark.parametrize("order", [1, 2])
@@ -55,7 +56,7 @@ def test_every_mutant_is_judged_or_refused(mechanism: Mechanism) -> None:
 def test_every_mutant_of_a_derivative_is_judged_or_refused(mechanism: Mechanism, order: int) -> None:
     rng, symbols = Random(11), Symbols(mechanism.states()[0].names)
     rates, judged = Rates("polygon", order, "omega2"), 0
-    for _ in range(150):
+    for _ in range(amount(50, 150)):
         try:
             typed = rates.parse(mutant(rates.show(mechanism), rng), symbols)
         except AnswerSyntaxError:
@@ -64,4 +65,4 @@ def test_every_mutant_of_a_derivative_is_judged_or_refused(mechanism: Mechanism,
         judged += 1
         assert 0 <= verdict.score <= 1
         assert (verdict.code is Code.RIGHT) == (verdict.score == 1)
-    assert judged > 20
+    assert judged > amount(6, 20)

@@ -51,7 +51,7 @@ def test_fisher_gives_the_values_of_worked_tables(table: tuple[int, int, int, in
     assert fisher(*table) == pytest.approx(p, rel=1e-3)
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=amount(8, 25), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.integers(1, 4), st.integers(1, 4), st.data())
 def test_fisher_is_the_share_of_all_deals_that_are_as_unlikely(students: int, others: int, data: st.DataObject) -> None:
     """Counted out: every order in which the same marks could have been dealt to the two groups."""
