@@ -14,7 +14,7 @@ from server.database.audit import note
 from server.regrading.replay import Dealt, Lot, Replayed, Work
 from server.storage.audit import Action, Entry
 from server.storage.jobs import DONE, Batch, Ending, Job, Json, Kept
-from server.tables import batches, deck, grades, slots, submissions, task_sets
+from server.tables import batches, deck, grades, persons, slots, submissions, task_sets
 
 BATCH = 400  # submissions, about
 TIMED_OUT = "time-out "  # begins the body of a collected draft; that of what was sent is a digest
@@ -40,20 +40,32 @@ def _of_set(query: Select[Any], task_set: str) -> Select[Any]:
     return query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
 
 
+def _of_batch(query: Select[Any], batch: Batch) -> Select[Any]:
+    first, last = batch.piece
+    return _of_set(query, batch.payload["task_set"]).where(deck.c.id.between(first, last))
+
+
 def read(connection: Connection, batch: Batch) -> Lot:
     """Read the cards of a batch, and what was handed in to them."""
-    task_set, (first, last) = batch.payload["task_set"], batch.piece
-    rules = connection.execute(select(task_sets.c.rules).where(task_sets.c.id == task_set)).scalar_one()
-    within = deck.c.id.between(first, last)
+    of_set = task_sets.c.id == batch.payload["task_set"]
+    rules = connection.execute(select(task_sets.c.rules).where(of_set)).scalar_one()
     asked = deck.c.shown[LANGUAGES[0]]["answers"].label("asked")
     columns = (
         deck.c.id, deck.c.code, deck.c.variant, *STORED, deck.c.reference, asked, deck.c.person,
         slots.c.number, slots.c.attempts,
     )  # fmt: skip
-    cards = connection.execute(_of_set(select(*columns), task_set).where(within)).mappings().all()
-    works = _works(connection, task_set, first, last)
+    cards = connection.execute(_of_batch(select(*columns), batch)).mappings().all()
+    works = _works(connection, batch)
     dealt, recompute = (_dealt(card, works.get(card["variant"], ())) for card in cards), _recompute(batch.payload)
-    return Lot(rules, batch.payload["allow_lower"], recompute, tuple(one for one in dealt if one.works or recompute))
+    cards_read = tuple(one for one in dealt if one.works or recompute)
+    return Lot(rules, batch.payload["allow_lower"], recompute, cards_read, _erased(connection, batch))
+
+
+def _erased(connection: Connection, batch: Batch, *, hold: bool = False) -> frozenset[str]:
+    """Name the people of a batch who are erased; `hold`: nobody else is, until what is written here is on disk."""
+    query = _of_batch(select(persons.c.id, persons.c.erased).join(deck, deck.c.person == persons.c.id), batch)
+    query = query.with_for_update(read=True, of=persons) if hold else query
+    return frozenset(number for number, erased in connection.execute(query) if erased is not None)
 
 
 def _recompute(payload: Mapping[str, Any]) -> bool:
@@ -69,14 +81,14 @@ def _dealt(card: Any, works: Sequence[Work]) -> Dealt:
     return Dealt(*own, card["number"], limited, tuple(works))
 
 
-def _works(connection: Connection, task_set: str, first: str, last: str) -> dict[str, list[Work]]:
+def _works(connection: Connection, batch: Batch) -> dict[str, list[Work]]:
     """Give what was handed in, by variant, each with its newest grade."""
     given = grades.alias()
     newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
     columns = submissions.c.variant, submissions.c.receipt, submissions.c.answers, submissions.c.body
     judged = grades.c.grade, grades.c.grader_version, grades.c.counted
-    query = _of_set(select(*columns, *judged).join(deck, deck.c.variant == submissions.c.variant), task_set)
-    query = query.join(grades, grades.c.id == newest).where(deck.c.id.between(first, last))
+    query = _of_batch(select(*columns, *judged).join(deck, deck.c.variant == submissions.c.variant), batch)
+    query = query.join(grades, grades.c.id == newest)
     rows = connection.execute(query.order_by(submissions.c.variant, submissions.c.time, submissions.c.receipt)).all()
     return {variant: [_work(row) for row in mine] for variant, mine in groupby(rows, lambda row: str(row.variant))}
 
@@ -90,9 +102,10 @@ def _work(row: Any) -> Work:
 def write(connection: Connection, batch: Batch, outcome: Replayed) -> Kept:
     """Keep the grades and the references that are in force from now on; a dry run keeps none.
 
-    What a reference was before stays in the result of the batch.
+    What a reference was before stays in the result of the batch. What was read of somebody who has been erased since is
+    written nowhere.
     """
-    now = datetime.now(UTC)
+    outcome, now = outcome.without(_erased(connection, batch, hold=True) - outcome.erased), datetime.now(UTC)
     if outcome.grades and not batch.payload["dry_run"]:
         given = [
             {"submission": one.receipt, "grader_version": one.version, "grade": one.grade, "counted": one.counted,

@@ -65,13 +65,19 @@ class Dealt:
 
 @dataclass(frozen=True, slots=True)
 class Lot:
-    """What a batch works on; plain data. `recompute`: references that the installed exercise does not lead to are
-    computed anew, from the givens that were dealt."""
+    """What a batch works on; plain data.
+
+    Attributes:
+        recompute: References that the installed exercise does not lead to are computed anew, from the givens that were
+            dealt.
+        erased: People of the batch who were erased before it was read.
+    """
 
     rules: Mapping[str, Any]
     allow_lower: bool
     recompute: bool
     cards: tuple[Dealt, ...]
+    erased: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +108,13 @@ class Replayed:
     changes: tuple[Mapping[str, Any], ...]
     grades: tuple[NewGrade, ...]
     repairs: tuple[Repair, ...] = ()
+    erased: frozenset[str] = frozenset()
+
+    def without(self, people: frozenset[str]) -> Replayed:
+        """Leave out what is said of some people."""
+        theirs = {change["receipt"] for change in self.changes if change["person"] in people}
+        changes = tuple(change for change in self.changes if change["receipt"] not in theirs)
+        return replace(self, changes=changes, grades=tuple(one for one in self.grades if one.receipt not in theirs))
 
 
 def replay(secret: bytes, lot: Lot) -> Replayed:
@@ -123,7 +136,7 @@ def replay(secret: bytes, lot: Lot) -> Replayed:
                 changes.append(told | {"versions": versions | {"installed": _installed(card)}, "stale": stale})
             if found.in_force:
                 grades.append(NewGrade(work.receipt, new, new["grader_version"], work.counted, found.effect.value))
-    return Replayed(dict(counts), tuple(changes), tuple(grades), tuple(repairs.values()))
+    return Replayed(dict(counts), tuple(changes), tuple(grades), tuple(repairs.values()), lot.erased)
 
 
 def _repaired(card: Dealt) -> Repair | None:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from sqlalchemy import insert, select, update
 
 from server.database import Database, regrades
 from server.settings import Settings
-from server.tables import audit, deck, grades, marks, task_sets
+from server.tables import audit, deck, grades, marks, persons, task_sets
+from tests.server.jobs.counting import Here
 from tests.server.regrading.classroom import STUDENTS, Class, first_grades, other_grade, published
 from tests.server.sets.classroom import NOW, SET, enrol
 from tests.server.stores import lay
@@ -84,6 +86,28 @@ def test_a_lower_score_is_told_but_stays_away_unless_it_is_allowed(school: Class
     assert (job.result["withheld"], job.result["lowered"]) == (0, 1)
     assert school.ledger("bob").grade == first["grade"]
     assert [row["grade"]["score"] for row in school.grades("bob")] == [1.0, first["grade"]["score"]]
+
+
+def test_who_is_erased_between_the_reading_and_the_writing_gets_no_new_grade(
+    school: Class, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """So it is with what was read of them only: who was erased before is judged by what is left."""
+    for who in ("anna", "bob"):
+        (first,) = school.grades(who)
+        older = other_grade(first["grade"], 0.1)
+        school.do(update(grades).where(grades.c.submission == who).values(grade=older, grader_version="0"))
+    erased = update(persons).values(erased=NOW)
+    school.do(erased.where(persons.c.id == "bob"))
+
+    async def meanwhile(judging: Here, compute: Any, tasks: Sequence[Any]) -> list[Any]:
+        school.do(erased.where(persons.c.id == "anna"))
+        return [compute(*task) for task in tasks]
+
+    monkeypatch.setattr(Here, "apart", meanwhile)
+    job = school.regraded()
+    school.do(update(persons).values(erased=None))
+    assert [change["person"] for change in school.changes(job)] == ["bob"]
+    assert (len(school.grades("anna")), len(school.grades("bob"))) == (1, 2)
 
 
 def test_what_the_steps_no_longer_lead_to_is_told_and_the_kept_reference_judges(school: Class) -> None:
