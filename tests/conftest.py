@@ -27,12 +27,13 @@ examples.load_profile("grubler")  # how long an example takes tells how busy the
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark the tests that work on a store which the switch chooses."""
+    """Mark the tests that work on a store which the switch chooses; begin with the long ones, those in a browser."""
     assert STORE in ("sqlite", "postgres"), f"GRUBLER_TEST_STORE is sqlite or postgres, not {STORE!r}"
     for item in items:
         needed = set(getattr(item, "fixturenames", ()))
         if "chosen" in needed and not needed & ELSEWHERE:
             item.add_marker("store")
+    items.sort(key=lambda item: "browser" not in getattr(item, "fixturenames", ()))
 
 
 @pytest.fixture(scope="session")

@@ -1,9 +1,8 @@
-"""Servers, stores and a browser for the tests of the server room."""
+"""Servers and stores for the tests of the server room."""
 
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import time
@@ -14,7 +13,6 @@ from urllib.error import URLError
 from urllib.request import urlopen
 
 import pytest
-from playwright.sync_api import Browser, sync_playwright
 from starlette.testclient import TestClient
 
 from server.app import create_app
@@ -32,10 +30,6 @@ from server.settings import from_environment
 serve(from_environment(os.environ))
 """
 START = 90.0  # s to wait for a server
-ARGUMENTS = [
-    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync",
-]  # fmt: skip
 
 
 def leave_out(need: str, reason: str) -> None:
@@ -153,18 +147,6 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Live]:
     server.start()
     yield server
     server.kill()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    """A real browser, if the machine has one."""
-    chromium = shutil.which("chromium")
-    if chromium is None:
-        leave_out("browser", "no Chromium on this machine: the pages were not tried in a browser")
-    with sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=chromium, args=ARGUMENTS)
-        yield found
-        found.close()
 
 
 @pytest.fixture

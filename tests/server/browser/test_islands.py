@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Page, Route, expect
+from playwright.sync_api import Browser, ConsoleMessage, Error, Page, Route, expect
 
-BUILT = Path(__file__).parents[2] / "server/static/build"
+BUILT = Path(__file__).parents[3] / "server/static/build"
 ENTRY = json.loads((BUILT / "manifest.json").read_text())["main.ts"]
 HOME = "http://grubler.test/"
 POLICY = (
@@ -107,22 +107,51 @@ class Site:
         else:
             route.fulfill(body=reply if isinstance(reply, str) else json.dumps(reply), content_type="application/json")
 
+    def fails(self, error: Error) -> None:
+        self.complaints.append(str(error))
+
+    def says(self, line: ConsoleMessage) -> None:
+        if "Content Security" in line.text:
+            self.complaints.append(line.text)
+
     def open(self) -> Page:
         self.page.goto(HOME)
         self.page.wait_for_selector(".keys")
         return self.page
 
 
-@pytest.fixture
-def site(browser: Browser) -> Iterator[Site]:
+@pytest.fixture(scope="module")
+def shared(browser: Browser) -> Iterator[Page]:
     context = browser.new_context()
-    context.set_default_timeout(5000)
-    page = context.new_page()
-    site = Site(page)
-    page.on("pageerror", lambda error: site.complaints.append(str(error)))
-    page.on("console", lambda line: site.complaints.append(line.text) if "Content Security" in line.text else None)
-    yield site
+    yield context.new_page()
     context.close()
+
+
+@pytest.fixture
+def site(shared: Page) -> Iterator[Site]:
+    """The pages in a tab that keeps nothing of the test before."""
+    yield from shown(shared)
+    shared.goto(HOME + "static/build/" + ENTRY["css"][0])
+    shared.evaluate("localStorage.clear()")
+    shared.unroute_all()
+
+
+@pytest.fixture
+def fresh(browser: Browser) -> Iterator[Site]:
+    """The pages in a browser of their own."""
+    context = browser.new_context()
+    yield from shown(context.new_page())
+    context.close()
+
+
+def shown(page: Page) -> Iterator[Site]:
+    """Give the pages; fail afterwards if a script has failed or the policy was broken."""
+    site = Site(page)
+    page.on("pageerror", site.fails)
+    page.on("console", site.says)
+    yield site
+    page.remove_listener("pageerror", site.fails)
+    page.remove_listener("console", site.says)
     assert not site.complaints
 
 
@@ -325,6 +354,7 @@ def test_two_tabs_of_one_browser_agree_at_once(site: Site) -> None:
     expect(page.locator('[value="b"]')).to_be_checked()
     page.wait_for_selector("[data-draft-state]:text('zapisany')")
     assert site.draft["answers"]["w"] == "l1" and page.is_hidden("[data-draft-conflict]")
+    other.close()
 
 
 def test_a_verdict_steps_back_while_the_answer_is_another_one(site: Site) -> None:
@@ -338,12 +368,12 @@ def test_a_verdict_steps_back_while_the_answer_is_another_one(site: Site) -> Non
     assert verdict.is_visible()
 
 
-def test_a_browser_that_keeps_nothing_loses_only_the_draft(site: Site) -> None:
+def test_a_browser_that_keeps_nothing_loses_only_the_draft(fresh: Site) -> None:
     refusal = (
         "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('no', 'SecurityError'); }})"
     )
-    site.page.add_init_script(refusal)
-    page = site.open()
+    fresh.page.add_init_script(refusal)
+    page = fresh.open()
     page.type("#w", "l1")
     page.wait_for_selector("#w-e mi")
-    assert page.input_value("#w") == "l1" and site.open().input_value("#w") == ""
+    assert page.input_value("#w") == "l1" and fresh.open().input_value("#w") == ""

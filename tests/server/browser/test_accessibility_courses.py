@@ -9,13 +9,13 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from server.settings import Settings
-from tests.server import axe
+from tests.server.browser import axe
+from tests.server.browser.conftest import watched
+from tests.server.browser.walking import follow, width
 from tests.server.conftest import Live
 from tests.server.school import CODE
 from tests.server.sets.conftest import Course, made, moment
 from tests.server.stores import lay
-from tests.server.test_browser import watched
-from tests.server.walking import follow, width
 
 COOKIE = "grubler_session"
 PEOPLE = ("administrator", "lecturer", "student")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from functools import cache
 
 import pytest
@@ -12,10 +11,9 @@ from playwright.sync_api import Browser, Page, expect
 from exercises import grading
 from exercises.solving import solved
 from exercises.variants import deal
-from tests.server import components
+from tests.server.browser import components
+from tests.server.browser.walking import desk
 from tests.server.conftest import Live
-from tests.server.test_browser import watched
-from tests.server.walking import desk
 
 TASKS = {
     "gear_train": ("z4", "u_formula", "u", "sense"), "planetary": ("u0",), "rrr_inverse": ("q",),
@@ -24,14 +22,6 @@ TASKS = {
 }  # fmt: skip
 OFF = ("v-wrong", "v-partly")
 SAVED = "[data-draft-state]:text('saved')"
-
-
-@pytest.fixture(scope="module")
-def page(browser: Browser) -> Iterator[Page]:
-    context = browser.new_context(locale="en", viewport={"width": 1360, "height": 900})
-    context.set_default_timeout(15_000)
-    yield from watched(context.new_page())
-    context.close()
 
 
 @cache

@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import Page
 
-SOURCE = (Path(__file__).parents[2] / "server/assets/node_modules/axe-core/axe.min.js").read_text("utf-8")
+SOURCE = (Path(__file__).parents[3] / "server/assets/node_modules/axe-core/axe.min.js").read_text("utf-8")
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
 DEPENDS_ON_LOOKS = ["color-contrast", "target-size", "scrollable-region-focusable", "link-in-text-block"]
 RUN = """async (only) => (await axe.run(document, {runOnly: only, resultTypes: ["violations"]}))

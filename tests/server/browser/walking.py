@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from playwright.sync_api import Page
 
+from tests.server.conftest import Live
+
 
 def follow(page: Page, selector: str) -> None:
     """Click what leads to another page, and wait until that page is loaded."""
@@ -20,3 +22,21 @@ def desk(page: Page, address: str, exercise: str = "slider_crank", seed: int = 7
     """Deal a variant to the browser's cookie and open its workspace."""
     dealt = page.request.post(f"{address}/api/v1/exercises/{exercise}/variants", data={"seed": seed})
     page.goto(f"{address}/variants/{dealt.json()['id']}")
+
+
+def practise(page: Page, site: Live, exercise: str = "slider_crank", seed: str = "7") -> None:
+    """Open the page of an exercise, choose a number and begin, as a reader does."""
+    page.goto(f"{site.url}/exercises/{exercise}")
+    page.click("details summary")
+    page.fill("#seed", seed)
+    follow(page, "button.main")
+    page.wait_for_selector("form[data-preview]")
+
+
+def focus_by_tab(page: Page, name: str) -> None:
+    """Reach the field of a name by the Tab key alone."""
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement.name") == name:
+            return
+    raise AssertionError(f"the keyboard does not reach {name}")

@@ -3,39 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from exercises import grading
 from exercises.variants import deal
+from tests.server.browser.walking import desk, focus_by_tab, follow
 from tests.server.conftest import Live
-from tests.server.test_browser import focus_by_tab, watched
-from tests.server.walking import desk, follow
 
 RIGHT = grading.reference(deal("tmm2_oop", 7))
 WRONG = RIGHT["polygon"].replace("l_AB*sin(Theta1)", "l_AB*cos(Theta1)")
 AGREES = "The links keep their lengths, and D follows the true motion."
-
-
-@pytest.fixture(scope="module")
-def tab(browser: Browser) -> Iterator[Page]:
-    """One page that all tests here walk on."""
-    context = browser.new_context(locale="en", reduced_motion="reduce")
-    context.set_default_timeout(15_000)
-    yield from watched(context.new_page())
-    context.close()
-
-
-@pytest.fixture
-def page(tab: Page) -> Iterator[Page]:
-    """The page, wide, in English, with nothing of the test before."""
-    tab.set_viewport_size({"width": 1360, "height": 900})
-    tab.context.clear_cookies()
-    yield tab
-    tab.unroute_all()
 
 
 def part(page: Page, name: str) -> str:
