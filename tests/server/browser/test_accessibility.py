@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, ViewportSize
 
 from exercises import grading
 from exercises.variants import deal
@@ -18,7 +18,6 @@ from tests.server.browser.conftest import watched
 from tests.server.browser.walking import desk, follow, width
 from tests.server.conftest import Live
 
-EACH_IN_BOTH = amount(False, True)  # both colours at both widths, or one at each, taking turns by state
 State = Callable[[Page, Live], None]
 ALL_OUTCOMES = {"alpha2": grading.reference(deal("slider_crank", 7))["alpha2"], "l3": "1 mm", "v3": "1 m/"}
 SHIFTS = """() => new Promise((done) => new PerformanceObserver((list) =>
@@ -109,22 +108,23 @@ STATES: tuple[State, ...] = (
 )  # fmt: skip
 
 
-def seen(page: Page, scheme: str, *, looks_only: bool = False) -> list[str]:
-    """What axe finds in light or dark colours."""
-    page.emulate_media(color_scheme="light" if scheme == "light" else "dark")
-    return axe.found(page, looks_only=looks_only)
+def sights(turn: int) -> list[tuple[ViewportSize, axe.Colour, bool]]:
+    """At which sizes and in which colours to look, and whether for looks only: one by default, in turn; all in full."""
+    size, other = (axe.WIDE, axe.NARROW) if turn % 2 else (axe.NARROW, axe.WIDE)
+    colours: tuple[axe.Colour, axe.Colour] = ("light", "dark") if turn // 2 % 2 else ("dark", "light")
+    first, second = colours
+    more = [(size, second, True), (other, second, False), (other, first, True)]
+    return [(size, first, False), *amount([], more)]
 
 
 @pytest.mark.parametrize("state", STATES, ids=lambda state: state.__name__)
 def test_axe_finds_nothing_in_light_and_dark_wide_and_narrow(page: Page, site: Live, state: State) -> None:
-    first, second = ("light", "dark") if STATES.index(state) % 2 else ("dark", "light")
-    page.set_viewport_size({"width": 1360, "height": 900})
+    seen, broken = sights(STATES.index(state)), []
+    axe.look(page, *seen[0][:2])
     state(page, site)
-    broken = seen(page, first)
-    broken += seen(page, second, looks_only=True) if EACH_IN_BOTH else []
-    page.set_viewport_size({"width": 360, "height": 800})
-    broken += seen(page, second)
-    broken += seen(page, first, looks_only=True) if EACH_IN_BOTH else []
+    for size, colour, looks_only in seen:
+        axe.look(page, size, colour)
+        broken += axe.found(page, looks_only=looks_only)
     assert broken == [], "\n".join(broken)
     page.set_viewport_size({"width": 320, "height": 800})
     assert width(page) <= 320
@@ -139,7 +139,7 @@ def test_axe_would_find_a_label_that_is_missing(page: Page, site: Live) -> None:
 
 
 def test_nothing_shifts_while_a_page_arrives(page: Page, site: Live) -> None:
-    page.set_viewport_size({"width": 1360, "height": 900})
+    page.set_viewport_size(axe.WIDE)
     desk(page, site.url)
     page.reload()
     page.wait_for_selector(".keys:visible")
