@@ -86,7 +86,7 @@ def tmm2(variant: Variant, language: str, person: Person, code: str, handed: Han
     for number, heading in said["sections"].items():
         blocks += [Heading(f"{number}. {heading}"), *sheet.section(int(number), exercise.report.get(int(number), ()))]
     blocks += sheet.receipt()
-    return Document(said["title"], said["exercise"], language, tuple(blocks), f"TMM-2, {shown.title}, {code}")
+    return Document(said["title"], said["exercise"], language, tuple(blocks), f"{shown.title}, {code}")
 
 
 @dataclass(frozen=True, slots=True)
