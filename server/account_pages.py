@@ -33,7 +33,7 @@ async def show_home(request: Request, bench: Tools, reader: Asking) -> Response:
         "following": following,
         "remaining": clock.left(following.until, now) if following else None,
         "results": home.latest(sets),
-        "local": lambda moment, course: clock.spoken(moment, clock.zone(course.time_zone)),
+        "local": lambda moment, course: clock.spoken(reader.language, moment, clock.zone(course.time_zone)),
         "practised": await bench.storage.practised(reader.practice.id) if reader.practice else 0,
         "lecturer": reader.role >= Role.LECTURER,
     }

@@ -115,7 +115,7 @@ async def _page(
         "older": listed.lines[-1].number if listed.next else None,
         "newest": before is None,
         "zone": place.key,
-        "local": partial(clock.spoken, place=place),
+        "local": partial(clock.spoken, language, place=place),
         "worded": partial(_worded, language),
     }
     return page(request, language, "audit.html", context)

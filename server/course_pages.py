@@ -124,7 +124,7 @@ async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str
         "groups": await bench.courses.groups(here.course.id) if staff else [],
         "roles": ROLES,
         "address": bench.settings.address,
-        "local": partial(clock.spoken, place=clock.zone(here.course.time_zone)),
+        "local": partial(clock.spoken, reader.language, place=clock.zone(here.course.time_zone)),
         "moved": None,
         "made": None,
         "made_for": None,

@@ -235,7 +235,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "price": await price(bench, reader, dealt),
         "hinted": await _hinted(bench, result) if result and dealt.code else 0,
         "key": secrets.token_hex(8),
-        **(await on_page(bench, dealt.id, datetime.now(UTC)) if dealt.code else {"task": None}),
+        **(await on_page(bench, dealt.id, reader.language, datetime.now(UTC)) if dealt.code else {"task": None}),
         "solution": await solution_is_open(bench, reader, dealt),
     }
     template = "laboratory.html" if lab else "workspace.html"

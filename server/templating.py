@@ -12,6 +12,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
 from server import language as languages
+from server.sets import clock
 
 THEMES = ("system", "light", "dark")
 THEME_COOKIE = "grubler_theme"
@@ -56,6 +57,8 @@ def page(
             t=partial(languages.say, language),
             n=partial(counted, language),
             number=partial(decimal, language),
+            utc=partial(clock.spoken, language),
+            day=partial(clock.day, language),
             language=language,
             theme=theme,
             assets=request.app.state.assets,

@@ -179,7 +179,7 @@ def _common(reader: Reader) -> dict[str, Any]:
     course = here(reader).course
     return {
         "course": course,
-        "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
+        "local": partial(clock.spoken, reader.language, place=clock.zone(course.time_zone)),
         "told": partial(_told, reader.language),
     }
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from server.language import say
 
 
 class NoSuchMoment(ValueError):
@@ -49,9 +51,19 @@ def local(moment: datetime, place: ZoneInfo) -> str:
     return moment.astimezone(place).strftime("%Y-%m-%dT%H:%M")
 
 
-def spoken(moment: datetime | None, place: ZoneInfo) -> str:
-    """Write a moment in local time as a page says it; a dash where there is none."""
-    return local(moment, place).replace("T", " ") if moment else "—"
+def spoken(language: str, moment: datetime | None, place: tzinfo = UTC, exact: bool = False) -> str:
+    """Write a moment in local time as a page says it, `exact` to the second; a dash where there is none."""
+    if moment is None:
+        return "—"
+    here = moment.astimezone(place)
+    time = here.strftime("%H:%M:%S" if exact else "%H:%M")
+    return say(language, "dates.moment", day=day(language, here), time=time)
+
+
+def day(language: str, date: date) -> str:
+    """Write a day as a page says it."""
+    month = say(language, "dates.months").split()[date.month - 1]
+    return say(language, "dates.day", day=date.day, month=month, year=date.year)
 
 
 def left(until: datetime | None, now: datetime) -> tuple[str, int, int] | None:

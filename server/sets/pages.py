@@ -159,7 +159,7 @@ def _checked(written: Mapping[str, Any]) -> Draft:
 
 def _common(reader: Reader) -> dict[str, Any]:
     course = here(reader).course
-    return {"course": course, "local": partial(clock.spoken, place=clock.zone(course.time_zone))}
+    return {"course": course, "local": partial(clock.spoken, reader.language, place=clock.zone(course.time_zone))}
 
 
 async def _builder(

@@ -121,7 +121,7 @@ async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> 
     return combined(earlier.share, own.share if own.taken else None)
 
 
-async def on_page(bench: Bench, variant: str, now: datetime) -> dict[str, Any]:
+async def on_page(bench: Bench, variant: str, language: str, now: datetime) -> dict[str, Any]:
     """Give what the page of a variant shows of its set; nothing of it is there in practice."""
     place = await bench.sets.place(variant)
     if place is None:
@@ -139,5 +139,5 @@ async def on_page(bench: Bench, variant: str, now: datetime) -> dict[str, Any]:
         "spoilt": last is not None and faulty(last),
         "remaining": clock.left(own.window.due, now),
         "zone": course.time_zone,
-        "local": partial(clock.spoken, place=clock.zone(course.time_zone)),
+        "local": partial(clock.spoken, language, place=clock.zone(course.time_zone)),
     }

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from server.sets.clock import NoSuchMoment, left, local, read, shifted, zone
+from server.sets.clock import NoSuchMoment, left, local, read, shifted, spoken, zone
 
 WARSAW = zone("Europe/Warsaw")
 
@@ -34,6 +34,21 @@ def test_what_is_no_moment_is_refused(text: str) -> None:
 
 def test_a_moment_is_written_as_it_was_read() -> None:
     assert local(read("2026-07-01T23:59", WARSAW), WARSAW) == "2026-07-01T23:59"
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "exactly"),
+    [
+        ("pl", "03.07.2026, 01:59", "02.07.2026, 23:59:07"),
+        ("en", "3 Jul 2026, 01:59", "2 Jul 2026, 23:59:07"),
+        ("ru", "03.07.2026, 01:59", "02.07.2026, 23:59:07"),
+    ],
+)
+def test_a_page_says_a_moment_as_its_language_writes_dates(language: str, said: str, exactly: str) -> None:
+    moment = datetime(2026, 7, 2, 23, 59, 7, tzinfo=UTC)
+    assert spoken(language, moment, WARSAW) == said
+    assert spoken(language, moment, exact=True) == exactly
+    assert spoken(language, None, WARSAW) == "—"
 
 
 def test_a_shift_by_days_keeps_the_hour_on_the_wall() -> None:
