@@ -66,7 +66,7 @@ class Arithmetic:
             rows = int(name[4:])
             return lambda *entries: Table(tuple(_chunks(entries, rows)))
         row, column = (int(part) for part in name.removeprefix("entry").split(","))
-        return lambda table: table.rows[row - 1][column - 1]
+        return lambda table: _entry(table, row, column)
 
 
 class Builder:
@@ -219,6 +219,13 @@ def _chunks(entries: tuple[Any, ...], rows: int) -> list[tuple[Any, ...]]:
     return [entries[i * width : (i + 1) * width] for i in range(rows)]
 
 
+def _entry(table: Any, row: int, column: int) -> Any:
+    """Give an entry, counted from 1; raises ValueError for one of a number."""
+    if not isinstance(table, Table):
+        raise ValueError("a number has no entries")
+    return table.rows[row - 1][column - 1]
+
+
 class Table:
     """A matrix of doubles or balls; its products never commute, a number scales every entry."""
 
@@ -232,7 +239,9 @@ class Table:
         return Table(tuple(tuple(function(e) for e in row) for row in self.rows))
 
     def combine(self, other: Table, function: Callable[[Any, Any], Any]) -> Table:
-        """Apply a function entry by entry; raises ValueError when the shapes differ."""
+        """Apply a function entry by entry; raises ValueError when the shapes differ, or the other is a number."""
+        if not isinstance(other, Table):
+            raise ValueError("a matrix and a number have no sum")
         pairs = zip(self.rows, other.rows, strict=True)
         return Table(tuple(tuple(function(a, b) for a, b in zip(x, y, strict=True)) for x, y in pairs))
 

@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from graders import AnswerSyntaxError, Code, Matrix, Symbols
+from graders import AnswerSyntaxError, Code, Matrix, Quantity, Symbols
 from graders.language import Reason
 from graders.verdict import Entries
 
@@ -90,3 +90,14 @@ def test_a_matrix_is_judged_entry_by_entry(typed: str, code: Code, score: float)
 def test_a_matrix_of_anything_but_numbers_is_unreadable(typed: str) -> None:
     with pytest.raises(AnswerSyntaxError):
         Matrix(2, 2).parse(typed, Symbols(["a"]))
+
+
+@pytest.mark.parametrize("text", ["[1, 2; 3, 4] - 4,2 mm", "4,2 + [1, 2; 3, 4]", "pi[1; 2]", "[1, 2; 3, 4]^2 + 1"])
+def test_a_matrix_beside_a_number_is_no_quantity(text: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Quantity("mm").parse(text, Symbols(()))
+
+
+def test_a_number_that_is_asked_for_an_entry_is_unreadable() -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Matrix(2, 1).parse("[pi[1; 2]; 2]", Symbols(()))
