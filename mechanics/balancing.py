@@ -6,6 +6,7 @@ kg m whose argument is its angle.
 
 from __future__ import annotations
 
+import sys
 from cmath import phase, rect
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -117,7 +118,7 @@ def _left(masses: Sequence[PointMass], planes: Sequence[Plane], found: Sequence[
     moment += sum((plane.x * D for plane, D in zip(planes, found, strict=True)), 0j)
     arms = sum(abs(mass.x * mass.unbalance) for mass in masses)
     arms += sum(abs(plane.x * D) for plane, D in zip(planes, found, strict=True))
-    couple = abs(moment) > BALANCED * arms
+    couple = abs(moment) > max(BALANCED * arms, sys.float_info.min)  # smaller numbers have no figures to compare
     return Balance(corrections, abs(force), abs(moment) if couple else 0.0, couple)
 
 

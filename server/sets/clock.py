@@ -57,7 +57,7 @@ def spoken(language: str, moment: datetime | None, place: tzinfo = UTC, exact: b
         return "—"
     here = moment.astimezone(place)
     time = here.strftime("%H:%M:%S" if exact else "%H:%M")
-    return say(language, "dates.moment", day=day(language, here), time=time)
+    return f"{day(language, here)}, {time}"
 
 
 def day(language: str, date: date) -> str:

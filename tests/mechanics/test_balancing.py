@@ -175,3 +175,8 @@ def test_the_centre_of_a_balanced_four_bar_rests_over_a_turn() -> None:
 def test_impossible_numbers_are_refused_by_name(make: object, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make()  # type: ignore[operator]
+
+
+def test_masses_too_small_for_their_figures_leave_no_couple() -> None:
+    found = balance([PointMass(2.2250738585e-313, 0.01, 0.0, 0.0)], (Plane(-1.0, 0.1), Plane(1.0, 0.2)))
+    assert not found.static and found.residual_moment == 0.0

@@ -14,7 +14,7 @@ from exercises.catalogue import CHAPTERS
 from server.language import LANGUAGES, preferred, say, words
 from server.templating import counted, plural
 
-PLACES = re.compile(r"\{(\w*)\}")
+PLACES = re.compile(r"\{(\w*)(?::\w+)?\}")
 SERVER = Path(server.__file__).parent
 SAID = re.compile(r"""\bt\(\s*"([^"]*)"(\s*~)?""")  # in a template: a key, or what one begins with
 COUNTED = re.compile(r"""\bn\([^"()]*"([^"]*)"\)""")

@@ -8,7 +8,6 @@ from itertools import islice
 import pytest
 
 from exercises import catalogue
-from tests.depth import amount
 from tests.slips.random_answers import attributed
 from tests.slips.slip import S, named_rightly, occasions
 
@@ -46,7 +45,7 @@ def test_nine_slips_of_ten_are_named_rightly() -> None:
 def test_random_wrong_answers_are_attributed_to_no_slip(whole: bool) -> None:
     explained, count, names = 0, 0, dict[str, dict[str, int]]()
     for exercise in catalogue.ids():
-        more, all_, names[exercise] = attributed(exercise, range(1, amount(4, 6) if whole else amount(6, 11)), whole)
+        more, all_, names[exercise] = attributed(exercise, range(1, 6 if whole else 11), whole)
         explained, count = explained + more, count + all_
     print(f"{explained} of {count} random submissions attributed: {names}")
     assert explained <= CHANCE * count, names
