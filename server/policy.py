@@ -65,6 +65,8 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/api/v1/variants/{variant}/preview"): Role.ANONYMOUS,
     ("POST", "/api/v1/variants/{variant}/submissions"): Role.ANONYMOUS,
     ("GET", "/api/v1/variants/{variant}/solution"): Role.ANONYMOUS,
+    ("GET", "/api/v1/variants/{variant}/hints"): Role.ANONYMOUS,
+    ("POST", "/api/v1/variants/{variant}/hints"): Role.ANONYMOUS,
     ("GET", "/api/v1/variants/{variant}/draft"): Role.ANONYMOUS,
     ("PUT", "/api/v1/variants/{variant}/draft"): Role.ANONYMOUS,
     ("POST", "/api/v1/variants/{variant}/problems"): Role.ANONYMOUS,

@@ -17,10 +17,21 @@ from exercises.variants import deal, dump
 from graders import Quantity
 from graders.units import read_unit
 from graders.words import LANGUAGES
+from server.app import create_app
+from tests.conftest import Laid
+from tests.depth import amount
 
 NUMBER = re.compile(r"(?<![\w.#-])[-−]?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?(?![\w.])")
 SEEDS = (3, 7, 11)
 SMALL = 40  # whole numbers below this stand on any page (tab index, step, row, a coordinate of a figure)
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[TestClient]:
+    """A client that the tests here share: none sees what another has handed in."""
+    settings = laid_for_all(tmp_path_factory.mktemp("a13"), secret=b"a13", limited=False)
+    with TestClient(create_app(settings), raise_server_exceptions=False) as found:
+        yield found
 
 
 def numbers(text: str) -> Iterator[float]:
@@ -92,8 +103,10 @@ def reachable(client: TestClient, exercise: str, seed: int, language: str) -> It
 HIDING = [exercise for exercise in catalogue.ids() if exercise != "mobility"]  # counts stand on any page
 
 
-@pytest.mark.parametrize("exercise", HIDING)
-@pytest.mark.parametrize("seed", SEEDS)
+TRIED = [(exercise, seed) for at, exercise in enumerate(HIDING) for seed in amount((SEEDS[at % 3],), SEEDS)]
+
+
+@pytest.mark.parametrize(("exercise", "seed"), TRIED)
 def test_no_reference_value_stands_in_what_a_student_reaches(client: TestClient, exercise: str, seed: int) -> None:
     values, formulas = secrets_of(exercise, seed)
     assert values or formulas

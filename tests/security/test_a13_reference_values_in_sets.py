@@ -39,6 +39,7 @@ ELSEWHERE = (
 PUBLIC_PARTS = re.compile(r'(?s)<div class="statement">.*?</div>|<tbody>.*?</tbody>|<dl class="block">.*?</dl>')
 NO_NUMBERS = re.compile(  # moments and ids
     r"\d{4}-\d\d-\d\d[T ][\d:.]+(?:[+-][\d:]+|Z)?|\d\d?:\d\d(?::\d\d)?|[0-9A-Z]{4}(?:-[0-9A-Z]{4})+"
+    r"|\d{1,2} [A-Z][a-z]{2} \d{4}|\d\d\.\d\d\.\d{4}"
 )
 SEAT = "seat 3"
 WISHED = {"solver": "beam", "link": "x" * 43, "code": "KX49-2MQT", "form": "md"}

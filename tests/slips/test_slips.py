@@ -8,6 +8,7 @@ from itertools import islice
 import pytest
 
 from exercises import catalogue
+from tests.depth import amount
 from tests.slips.random_answers import attributed
 from tests.slips.slip import S, named_rightly, occasions
 
@@ -31,7 +32,8 @@ def test_nine_slips_of_ten_are_named_rightly() -> None:
     """Each slip in the first variant where it shows; a slip without occasion counts as not named."""
     named = {
         exercise: [
-            any(named_rightly(slip, g) for _, g in islice(occasions(exercise, slip), 1)) for slip in table(exercise)
+            any(named_rightly(slip, g) for _, g in islice(occasions(exercise, slip), 1))
+            for slip in table(exercise)[:: amount(2, 1)]
         ]
         for exercise in catalogue.ids()
     }

@@ -41,6 +41,7 @@ def test_a_student_s_work_is_shown_in_the_student_s_language_and_marked_by_a_for
     page = course.lecturer.get(f"{place}?lang=en").text
     assert 'lang="pl"' in page and "Korba ma długość" in page and "What the student saw" in page
     assert "&lt;b&gt;1&lt;/b&gt; mm" in page and "<b>1</b> mm" not in page
+    assert re.search(r'<option value="l3"[^>]*>Położenie suwaka', page)  # as the student was asked, not the bare name
     data = {"receipt": receipt, "answer": "l3", "share": "12,5", "comment": "<i>half</i>\r\nof it"}
     reply = course.lecturer.post(f"/sets/{number}/marks", data=data)
     assert (reply.status_code, reply.headers["location"]) == (303, f"{place}#item-1")

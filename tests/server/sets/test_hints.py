@@ -91,3 +91,39 @@ def test_a_hint_is_sold_only_where_it_is_offered(course: Course) -> None:
     for rules in ({"ladder": True}, {"hint_price": 0.2}, PRICED | {"mode": "exam"}):
         _, other = astray(course, rules=rules, opens=moment(hours=-1))
         assert bought(course, other, "1") == 409
+
+
+def test_a_program_sees_the_hints_and_opens_the_next_one(course: Course) -> None:
+    number, variant = astray(course)
+    path = f"/api/v1/variants/{variant}/hints"
+    wanted = {"answer": "l3", "price": 0.2}
+    assert course.student.get(path).json() == [wanted | {"steps": [], "left": 2}]
+    for _ in range(2):  # the second time it is open
+        reply = course.student.post(path, json={"answer": "l3", "step": 1})
+        assert reply.status_code == 200 and "<mi>" in reply.json()["steps"][0]
+        assert reply.json() == wanted | {"steps": reply.json()["steps"], "left": 1}
+    assert course.student.get(path).json() == [reply.json()]
+    for step, status in ((3, 409), (0, 422), ("1", 422)):
+        assert course.student.post(path, json={"answer": "l3", "step": step}).status_code == status
+    assert course.student.post(path, json={"answer": "x", "step": 1}).status_code == 409
+    assert course.other.post(path, json={"answer": "l3", "step": 2}).status_code == 404
+    course.hand_in(variant, texts(course, number))
+    assert course.student.get(path).json() == [reply.json() | {"left": 0}]
+    assert course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]["earned"] == 8
+
+
+def test_in_practice_hints_are_whole_and_free(client: TestClient) -> None:
+    variant = client.post("/api/v1/exercises/slider_crank/variants", json={"seed": 7}).json()["id"]
+    path = f"/api/v1/variants/{variant}/hints"
+    assert client.get(path).json() == []
+    client.post(f"/api/v1/variants/{variant}/submissions", json={"answers": {"l3": "9 m"}})
+    (found,) = client.get(path).json()
+    assert (found["answer"], len(found["steps"]), found["left"], found["price"]) == ("l3", 2, 0, 0)
+    assert client.post(path, json={"answer": "l3", "step": 1}).status_code == 409
+
+
+def test_an_examination_tells_a_program_nothing_by_its_hints(course: Course) -> None:
+    _, variant = astray(course, rules=PRICED | {"mode": "exam"})
+    path = f"/api/v1/variants/{variant}/hints"
+    assert course.student.get(path).json() == []
+    assert course.student.post(path, json={"answer": "l3", "step": 1}).status_code == 409
