@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.piece import Piece
 from graders.language.symbols import key, latin
 from graders.language.tokens import MAX_LENGTH
 
@@ -19,23 +19,6 @@ NOTHING = (
     "∅", "{}", "none", "no solution", "no solutions", "brak", "brak rozwiązań", "нет",
     "нет решений", "решений нет",
 )  # fmt: skip
-
-
-class Piece(NamedTuple):
-    """A part of a text and its place in it."""
-
-    text: str
-    place: int
-
-    def part(self, start: int, end: int) -> Piece:
-        """Cut a part out of this one."""
-        return Piece(self.text[start:end], self.place + start)
-
-    @property
-    def bare(self) -> Piece:
-        """Give the part without the blanks around it."""
-        left = len(self.text) - len(self.text.lstrip())
-        return self.part(left, max(left, len(self.text.rstrip())))
 
 
 def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Piece]]:

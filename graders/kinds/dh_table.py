@@ -154,7 +154,7 @@ def _read(text: str, symbols: Symbols) -> Tree:
             place -= len(lines[before]) + 3
             before += 1
         place = max(0, place) + sum(len(line) + 1 for line in lines[:before]) + lead
-        raise AnswerSyntaxError(error.reason, place, error.proposal.found, error.proposal.meant) from None
+        raise error.moved(place) from None
 
 
 Entries = tuple[tuple[Tree, ...], ...]

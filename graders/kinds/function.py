@@ -9,12 +9,13 @@ from typing import Any, ClassVar
 from graders.formulas import refuse_impulses
 from graders.judge import Echo, Formula, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Grid, Index, Relation, Tree, names, walk
 from graders.profile.bracketed import Differences, Part, Span, Tried, differences, tried
 from graders.profile.echoes import echoed
-from graders.profile.ranges import Piece, Ranged, read_formula, read_ranges
+from graders.profile.ranges import Ranged, read_formula, read_ranges
 from graders.remarks import Remark, Remarks, Slip
 from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, wrong
 

@@ -17,6 +17,7 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex, through
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
 from graders.language.tokens import LETTER, MAX_LENGTH, Token, tokenize
@@ -85,7 +86,7 @@ class Quantity:
         text = _unfenced(text)
         tree, number, rest, at = _read_number(TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text)))
         unit_text = _bare(rest)
-        unit = _unit_at(unit_text, at + rest.find(unit_text)) if unit_text else None
+        unit = Piece(unit_text, at + rest.find(unit_text)).read(read_unit) if unit_text else None
         return (None if unit else self._angle(tree, number)) or self._amount(tree, number, unit_text, unit)
 
     def _angle(self, tree: Tree, number: float) -> Amount | None:
@@ -232,14 +233,6 @@ def _bare(rest: str) -> str:
     """Take a unit out of the square brackets some students put around it."""
     rest = rest.strip()
     return rest[1:-1].strip() if rest[:1] == "[" and rest[-1:] == "]" else rest
-
-
-def _unit_at(text: str, place: int) -> Unit:
-    try:
-        return read_unit(text)
-    except AnswerSyntaxError as error:
-        found = error.proposal
-        raise AnswerSyntaxError(error.reason, place + error.position, found.found, found.meant) from None
 
 
 def _plain_amount(text: str) -> tuple[Tree, float, str, Unit | None] | None:

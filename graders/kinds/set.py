@@ -13,10 +13,10 @@ from graders.common_slips import CommonSlip, Slips
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.kinds.quantity import Amount, Quantity
-from graders.language.errors import AnswerSyntaxError
 from graders.language.latex_reader import is_latex, through
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols
-from graders.tuples import Piece, read_items
+from graders.tuples import read_items
 from graders.units import read_unit
 from graders.verdict import RIGHT, Branches, Code, Verdict, wrong
 
@@ -192,11 +192,7 @@ def _parts(units: str | tuple[str, ...], rtol: float, atol: float | tuple[float,
 
 
 def _amount(part: Quantity, piece: Piece, symbols: Symbols) -> Amount:
-    try:
-        return part.parse(piece.text, symbols)
-    except AnswerSyntaxError as error:
-        place = piece.place + error.position
-        raise AnswerSyntaxError(error.reason, place, error.proposal.found, error.proposal.meant) from None
+    return piece.read(lambda text: part.parse(text, symbols))
 
 
 def _code(right: int, given: int, expected: int, doubled: bool) -> Code:

@@ -79,3 +79,7 @@ class AnswerSyntaxError(ValueError):
         self.reason = reason
         self.position = position
         self.proposal = Proposal(found, meant)
+
+    def moved(self, position: int) -> AnswerSyntaxError:
+        """Give the same error at another place."""
+        return AnswerSyntaxError(self.reason, position, self.proposal.found, self.proposal.meant)

@@ -51,8 +51,7 @@ def kept(plain: Rewritten, read: Callable[[str], Read]) -> Read:
     try:
         return read(plain.text)
     except AnswerSyntaxError as error:
-        place = plain.places[min(error.position, len(plain.places) - 1)]
-        raise AnswerSyntaxError(error.reason, place, error.proposal.found, error.proposal.meant) from None
+        raise error.moved(plain.places[min(error.position, len(plain.places) - 1)]) from None
 
 
 def rewritten(latex: str) -> Rewritten:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Callable, Iterator
-from typing import NamedTuple, TypeVar
+from collections.abc import Iterator
+from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.piece import Piece
 from graders.language.symbols import DOTS, Symbols, function_named, key, latin
 from graders.language.tokens import tokenize
 from graders.polygon import keywords
@@ -14,36 +15,6 @@ from graders.polygon import keywords
 MAX_TEXT = 4000
 MAX_LINES = 30
 MAX_NAME = 12
-
-Read = TypeVar("Read")
-
-
-class Piece(NamedTuple):
-    """A part of the text and its place in it."""
-
-    text: str
-    place: int
-
-    def stripped(self) -> Piece:
-        """Take the blanks off both ends."""
-        text = self.text.strip()
-        return Piece(text, self.place + self.text.find(text)) if text else Piece("", self.place)
-
-    def cut(self, start: int, end: int | None = None) -> Piece:
-        """Give a part without the blanks around it."""
-        return Piece(self.text[start:end], self.place + start).stripped()
-
-    def error(self, reason: Reason, meant: str = "") -> AnswerSyntaxError:
-        """Refuse this piece."""
-        return AnswerSyntaxError(reason, self.place, self.text[:20], meant)
-
-    def read(self, reader: Callable[[str], Read]) -> Read:
-        """Read the piece; the place of an error is given in the whole text."""
-        try:
-            return reader(self.text)
-        except AnswerSyntaxError as error:
-            said = error.proposal
-            raise AnswerSyntaxError(error.reason, self.place + error.position, said.found, said.meant) from None
 
 
 class Line(NamedTuple):
@@ -75,9 +46,9 @@ def _statements(row: Piece) -> Iterator[Piece]:
     start = 0
     for at in range(len(row.text)):
         if row.text[at] == ";" and _opens(row.text[at + 1 :]):
-            yield from _said(row.cut(start, at))
+            yield from _said(row.part(start, at).bare)
             start = at + 1
-    yield from _said(row.cut(start))
+    yield from _said(row.part(start).bare)
 
 
 def _said(piece: Piece) -> Iterator[Piece]:
@@ -96,7 +67,7 @@ def _labelled(piece: Piece) -> Line:
     at = piece.text.find(":")
     if at < 0 or "=" in piece.text[:at]:
         return Line(Piece("", piece.place), piece)
-    return Line(piece.cut(0, at), piece.cut(at + 1))
+    return Line(piece.part(0, at).bare, piece.part(at + 1).bare)
 
 
 def fields_of(body: Piece) -> list[Piece]:
@@ -105,9 +76,9 @@ def fields_of(body: Piece) -> list[Piece]:
     for at, char in enumerate(body.text):
         depth += (char in "([{") - (char in ")]}")
         if depth <= 0 and (char == ";" or (char == "," and not _decimal(body.text, at))):
-            found.append(body.cut(start, at))
+            found.append(body.part(start, at).bare)
             start = at + 1
-    return [field for field in (*found, body.cut(start)) if field.text]
+    return [field for field in (*found, body.part(start).bare) if field.text]
 
 
 def _decimal(text: str, at: int) -> bool:

@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols, key, latin
 from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, names, walk
 from graders.polygon import keywords
 from graders.polygon.drawn import Axis, Closure, Drawn, Equation, Vector
-from graders.polygon.lines import Line, Piece, fields_of, folded, label_of, lines_of, new_names, words_of
+from graders.polygon.lines import Line, fields_of, folded, label_of, lines_of, new_names, words_of
 
 MAX_VECTORS = 12
 MAX_EQUATIONS = 8
@@ -158,7 +159,7 @@ class _Draft:
             raise piece.error(Reason.NEEDS_LENGTH_AND_ANGLE)
         last = words[-1]
         end = last.place - piece.place + len(last.text)
-        self.said[what] = _without_equals(piece.cut(words[0].place - piece.place, end))
+        self.said[what] = _without_equals(piece.part(words[0].place - piece.place, end).bare)
         for mark in marks & {"constant", "sought"}:
             self.marks[mark].add(what)
 
@@ -185,7 +186,7 @@ def _without_keywords(words: list[Piece]) -> tuple[list[Piece], str, set[str]]:
 
 
 def _without_equals(piece: Piece) -> Piece:
-    return piece.cut(len(piece.text) - len(piece.text.lstrip("=: ")))
+    return piece.part(len(piece.text) - len(piece.text.lstrip("=: "))).bare
 
 
 def _kind(word: str, behind: Sequence[Piece] = ()) -> str:

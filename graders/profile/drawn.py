@@ -9,11 +9,12 @@ from itertools import pairwise
 
 from graders.kinds.quantity import Amount, Quantity
 from graders.language.errors import AnswerSyntaxError, Reason
+from graders.language.piece import Piece
 from graders.language.program import Builder, Program, Runner
 from graders.language.symbols import Symbols
 from graders.language.tree import Tree, names
 from graders.profile.polynomial import NotPolynomialError, Polynomial, arithmetic, value
-from graders.profile.ranges import LONGEST, MOST, Piece, Ranged, read_formula, read_ranges
+from graders.profile.ranges import LONGEST, MOST, Ranged, read_formula, read_ranges
 from graders.profile.stretches import Stretch
 from graders.units import Unit, fits, read_unit
 

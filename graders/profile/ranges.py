@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
-from typing import NamedTuple, TypeVar
+from collections.abc import Iterator
+from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols
 from graders.language.tree import Relation, Tree
 
@@ -20,32 +21,6 @@ MEMBER = re.compile(r"^[^\W\d_]\w{0,10} {0,4}(?:∈|in\b) {0,4}")
 POINTED = re.compile(r"<([^<>;:\n]{1,40};[^<>;:\n]{1,40})>(?= {0,5}:)")  # <0; 1,5>: a closed interval in Polish books
 CLOSED = re.compile(r">(?! {0,5}(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]|=))")  # a bracket without its power
 FRONT = re.compile(r"[^=<>≤≥;:\n]{1,30}=")
-Read = TypeVar("Read")
-
-
-class Piece(NamedTuple):
-    """A part of a text and its place in it."""
-
-    text: str
-    place: int
-
-    def part(self, start: int, end: int) -> Piece:
-        """Cut a part out of this one."""
-        return Piece(self.text[start:end], self.place + start)
-
-    @property
-    def bare(self) -> Piece:
-        """Give the part without the blanks around it."""
-        left = len(self.text) - len(self.text.lstrip())
-        return self.part(left, max(left, len(self.text.rstrip())))
-
-    def read(self, reader: Callable[[str], Read]) -> Read:
-        """Read the part; the place of an error is given in the whole text."""
-        try:
-            return reader(self.text)
-        except AnswerSyntaxError as error:
-            found = error.proposal
-            raise AnswerSyntaxError(error.reason, self.place + error.position, found.found, found.meant) from None
 
 
 def read_formula(piece: Piece, symbols: Symbols) -> Tree:

@@ -3,24 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
+from graders.language.piece import Piece
 from graders.language.symbols import Symbols
 from graders.language.tree import Grid, Index, Relation, names, walk
 from graders.solutions.inequalities import is_inequality
 from graders.solutions.reduction import is_equation
 
 MOST_EQUATIONS = 12
-
-
-@dataclass(frozen=True, slots=True)
-class Piece:
-    """A part of a text and its place in it."""
-
-    text: str
-    place: int
 
 
 def read_equation(text: str, symbols: Symbols, unknowns: frozenset[str]) -> Relation:
@@ -48,11 +40,7 @@ def read_equations(text: str, symbols: Symbols, unknowns: frozenset[str]) -> tup
     if len(pieces) > MOST_EQUATIONS:
         raise AnswerSyntaxError(Reason.TOO_LONG, pieces[MOST_EQUATIONS].place)
     for piece in pieces:
-        try:
-            found.append(read_equation(piece.text, symbols, unknowns))
-        except AnswerSyntaxError as error:
-            meant = error.proposal
-            raise AnswerSyntaxError(error.reason, piece.place + error.position, meant.found, meant.meant) from None
+        found.append(piece.read(lambda text: read_equation(text, symbols, unknowns)))
     return tuple(found)
 
 
