@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, Protocol, TypeAlias
 
-from exercises.exercise import given
+from exercises.exercise import Draw, given
 from mechanics import members
 from mechanics.section import Section
 
@@ -199,6 +199,22 @@ Support: TypeAlias = LeftEnd | InsetA | RightEnd | InsetB | ClampedLeft | Clampe
 Load: TypeAlias = Force | Lift | Uniform | Clockwise | Counterclockwise
 Couple: TypeAlias = Clockwise | Counterclockwise
 OPPOSITE: Mapping[type[Load], str] = {Clockwise: Counterclockwise.turn, Counterclockwise: Clockwise.turn}
+
+
+def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
+    """Draw a force, a uniform load and, four times of five, a third load; named from left to right.
+
+    Takes four places in metres: of the force, of two ends of the uniform load and of the third load.
+    """
+    start, end = sorted(at[1:3])
+    found: list[Load] = [
+        Force(1e3 * rng.pick(range(2, 16)), at[0]),
+        Uniform(1e3 * rng.pick(range(2, 11)), start, end),
+    ]
+    third = rng.pick((None, Force, Lift, Clockwise, Counterclockwise))
+    if third:
+        found.append(third(1e3 * rng.pick(range(2, 16)), at[3]))
+    return tuple(sorted(found, key=lambda load: load.a))
 
 
 class Loaded(Protocol):

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, each, given
 from exercises.strength._beam import members as kinds
 from exercises.strength._beam.lines import added, half_beam, reaction, slipped
-from exercises.strength._beam.members import Load, Support, places, structure
+from exercises.strength._beam.members import Load, Support, drawn_loads, places, structure
 from exercises.strength.beam_deflection import slips
 from exercises.strength.beam_deflection.lines import bending, deflection
 from exercises.strength.beam_deflection.sag import deepest, extremes
@@ -43,19 +43,6 @@ def draw(rng: Draw) -> Givens:
     EI = 1e4 * round(sag / givens.L * rng.pick((250, 300, 400, 500)) / 1e4)
     givens = replace(givens, EI=max(EI, 1e5))
     return rng.reject() if degenerate(givens) else givens
-
-
-def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
-    """Draw a force, a uniform load and, four times of five, a third load; named from left to right."""
-    start, end = sorted(at[1:3])
-    found: list[Load] = [
-        kinds.Force(1e3 * rng.pick(range(2, 16)), at[0]),
-        kinds.Uniform(1e3 * rng.pick(range(2, 11)), start, end),
-    ]
-    third = rng.pick((None, kinds.Force, kinds.Lift, kinds.Clockwise, kinds.Counterclockwise))
-    if third:
-        found.append(third(1e3 * rng.pick(range(2, 16)), at[3]))
-    return tuple(sorted(found, key=lambda load: load.a))
 
 
 def solved_by_parameters(givens: Givens) -> beam.BeamResult:

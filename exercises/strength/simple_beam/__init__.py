@@ -11,7 +11,7 @@ from itertools import pairwise
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, each, given
 from exercises.strength._beam import members as kinds
 from exercises.strength._beam.lines import added, half_beam, other_reaction, reaction, slipped, supported, whole_length
-from exercises.strength._beam.members import Load, Support, places, structure
+from exercises.strength._beam.members import Load, Support, drawn_loads, places, structure
 from exercises.strength.simple_beam.diagram import extreme_place, extremes
 from exercises.strength.simple_beam.lines import elastic_line
 from graders import Expression, Quantity
@@ -61,19 +61,6 @@ def draw(rng: Draw) -> Givens:
     width, height = rng.pick(fitting)
     givens = replace(givens, b=width / 1000, h=height / 1000)
     return rng.reject() if degenerate(givens) else givens
-
-
-def drawn_loads(rng: Draw, at: list[float]) -> tuple[Load, ...]:
-    """Draw a force, a uniform load and, four times of five, a third load; named from left to right."""
-    start, end = sorted(at[1:3])
-    found: list[Load] = [
-        kinds.Force(1e3 * rng.pick(range(2, 16)), at[0]),
-        kinds.Uniform(1e3 * rng.pick(range(2, 11)), start, end),
-    ]
-    third = rng.pick((None, kinds.Force, kinds.Lift, kinds.Clockwise, kinds.Counterclockwise))
-    if third:
-        found.append(third(1e3 * rng.pick(range(2, 16)), at[3]))
-    return tuple(sorted(found, key=lambda load: load.a))
 
 
 def degenerate(givens: Givens) -> bool:
