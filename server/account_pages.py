@@ -8,7 +8,7 @@ from typing import Any
 from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from server import courses, forms, identity, language, people, sessions
+from server import courses, forms, identity, language, people, sessions, zones
 from server.bench import Bench, Tools
 from server.errors import Refused
 from server.passwords import SHORTEST
@@ -33,7 +33,7 @@ async def show_home(request: Request, bench: Tools, reader: Asking) -> Response:
         "following": following,
         "remaining": clock.left(following.until, now) if following else None,
         "results": home.latest(sets),
-        "local": lambda moment, course: clock.spoken(reader.language, moment, clock.zone(course.time_zone)),
+        "local": lambda moment, course: clock.stamp(reader.language, moment, clock.zone(course.time_zone)),
         "practised": await bench.storage.practised(reader.practice.id) if reader.practice else 0,
         "lecturer": reader.role >= Role.LECTURER,
     }
@@ -131,5 +131,6 @@ async def _account(
         "oidc": bench.settings.provider is not None and person.issuer is None,
         "problem": None,
         "fresh_token": None,
+        **zones.told(reader.language, await zones.of_reader(bench, reader)),
     }
     return page(request, reader.language, "account.html", context | more, status=status, path="/account")

@@ -19,6 +19,7 @@ from server.reader import Asking, admit
 from server.sets import clock
 from server.storage.audit import Checked, Detail, Line
 from server.templating import decimal, page
+from server.zones import told
 
 AT_ONCE = 100  # lines in one answer
 
@@ -114,8 +115,7 @@ async def _page(
         "lines": listed.lines,
         "older": listed.lines[-1].number if listed.next else None,
         "newest": before is None,
-        "zone": place.key,
-        "local": partial(clock.spoken, language, place=place),
+        **told(language, place),
         "worded": partial(_worded, language),
     }
     return page(request, language, "audit.html", context)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Request
@@ -19,6 +18,7 @@ from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import building, clock
 from server.templating import page
+from server.zones import told
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 ROLES = tuple(role.name.lower() for role in CourseRole)
@@ -124,7 +124,7 @@ async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str
         "groups": await bench.courses.groups(here.course.id) if staff else [],
         "roles": ROLES,
         "address": bench.settings.address,
-        "local": partial(clock.spoken, reader.language, place=clock.zone(here.course.time_zone)),
+        **told(reader.language, clock.zone(here.course.time_zone)),
         "moved": None,
         "made": None,
         "made_for": None,

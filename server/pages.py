@@ -15,7 +15,7 @@ from starlette.responses import HTMLResponse, RedirectResponse
 from exercises import catalogue, presenting
 from exercises.exercise import AnyExercise
 from exercises.variants import MAX_SEED
-from server import forms, ids
+from server import forms, ids, zones
 from server.bench import Bench, Tools
 from server.drafts import fresher, is_late, keep
 from server.errors import Refused
@@ -207,6 +207,13 @@ async def _typed(bench: Bench, reader: Reader, dealt: Dealt, form: Form) -> dict
     return {name: form.answer(field) for name, field in shown.answers.items()}
 
 
+async def _told(bench: Bench, reader: Reader, dealt: Dealt) -> dict[str, Any]:
+    """Give what the page shows of the set of a variant, and how it tells moments."""
+    if not dealt.code:
+        return {"task": None, **zones.told(reader.language, await zones.of_reader(bench, reader))}
+    return await on_page(bench, dealt.id, reader.language, datetime.now(UTC))
+
+
 async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work) -> HTMLResponse:
     dealt, result = work.dealt, work.result
     shown, variant = await _shown(bench, reader, dealt), restored(dealt)
@@ -235,7 +242,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "price": await price(bench, reader, dealt),
         "hinted": await _hinted(bench, result) if result and dealt.code else 0,
         "key": secrets.token_hex(8),
-        **(await on_page(bench, dealt.id, reader.language, datetime.now(UTC)) if dealt.code else {"task": None}),
+        **(await _told(bench, reader, dealt)),
         "solution": await solution_is_open(bench, reader, dealt),
     }
     template = "laboratory.html" if lab else "workspace.html"

@@ -12,11 +12,12 @@ from fastapi import APIRouter, Depends, Query, Request
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.responses import HTMLResponse, RedirectResponse
 
-from server import forms, ids
+from server import forms, ids, zones
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused, unknown_variant
 from server.policy import Role, may_answer
 from server.reader import Asking, Reader, admit
+from server.sets.pages import title_of
 from server.storage import Problem
 from server.templating import page
 from server.typed import Typed
@@ -111,7 +112,12 @@ async def send_problem(variant: str, request: Request, bench: Tools, reader: Ask
 async def list_problems(request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show the open problems to a lecturer."""
     found = await bench.storage.problems(datetime.now(UTC), AT_ONCE, _teacher(reader))
-    return page(request, reader.language, "problems.html", {"problems": found})
+    context = {
+        "problems": found,
+        "titles": {one.exercise: await title_of(bench, one.exercise, reader.language) for one in found},
+        **zones.told(reader.language, await zones.of_reader(bench, reader)),
+    }
+    return page(request, reader.language, "problems.html", context)
 
 
 @pages.post("/problems/{problem}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from datetime import tzinfo
 from functools import lru_cache
 from typing import Annotated, Literal
 
@@ -12,9 +13,11 @@ from starlette.responses import Response
 from reports import formats
 from reports.document import Document
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
+from server import zones
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused
 from server.reader import Asking, Reader, admit
+from server.sets.clock import named
 from server.storage import Dealt
 from server.submissions import Graded, graded, receipted
 from server.variants import GONE, restored, visible
@@ -58,16 +61,17 @@ async def _handed(bench: Bench, reader: Reader, dealt: Dealt, receipt: str) -> H
     marked = await receipted(bench, reader, receipt)
     if marked.handed.variant != dealt.id:
         raise Refused(404, "unknown_submission")
-    return handed_in(await graded(bench, marked, reader.language, staff=reader.owner_id != dealt.owner.id))
+    found = await graded(bench, marked, reader.language, staff=reader.owner_id != dealt.owner.id)
+    return handed_in(found, reader.language, await zones.of_variant(bench, reader, dealt))
 
 
-def handed_in(found: Graded) -> HandedIn:
-    """Give a graded submission as reports show it."""
+def handed_in(found: Graded, language: str, place: tzinfo) -> HandedIn:
+    """Give a graded submission as reports show it, its moment in a language and a zone."""
     return HandedIn(
         answers={name: text if isinstance(text, str) else "\n".join(text) for name, text in found.answers.items()},
         outcomes={name: verdict.outcome for name, verdict in found.verdicts.items()},
         receipt=found.receipt.id,
-        received=found.receipt.time.strftime("%Y-%m-%d %H:%M:%S UTC"),
+        received=named(language, found.receipt.time, place),
         digest=found.receipt.digest[:16],
         score=found.score,
     )

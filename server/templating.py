@@ -8,6 +8,7 @@ from typing import Any
 from urllib.parse import urlencode
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
@@ -54,11 +55,10 @@ def page(
         _templates()
         .get_template(name)
         .render(
-            t=partial(languages.say, language),
+            t=partial(_said, language),
             n=partial(counted, language),
             number=partial(decimal, language),
-            utc=partial(clock.spoken, language),
-            day=partial(clock.day, language),
+            day=partial(clock.day_stamp, language),
             language=language,
             theme=theme,
             assets=request.app.state.assets,
@@ -107,6 +107,13 @@ def plural(language: str, number: int) -> str:
     if number == 1 or (language == "ru" and tail == 1 and number % 100 != 11):
         return "one"
     return "few" if language != "en" and tail in (2, 3, 4) and not teens else "many"
+
+
+def _said(language: str, key: str, **values: object) -> str:
+    """Word a sentence for a page; a value that is markup, such as a moment, stays so, and all else is escaped."""
+    if not any(isinstance(value, Markup) for value in values.values()):
+        return languages.say(language, key, **values)
+    return Markup(escape(languages.words(language)[key])).format_map(values)
 
 
 def _theme(request: Request) -> str:

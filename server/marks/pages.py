@@ -30,6 +30,7 @@ from server.sets import clock
 from server.sets.api import set_of
 from server.sets.pages import title_of
 from server.templating import decimal, page
+from server.zones import told
 
 MOST_OPEN = 50  # open answers on a page
 
@@ -179,7 +180,7 @@ def _common(reader: Reader) -> dict[str, Any]:
     course = here(reader).course
     return {
         "course": course,
-        "local": partial(clock.spoken, reader.language, place=clock.zone(course.time_zone)),
+        **told(reader.language, clock.zone(course.time_zone)),
         "told": partial(_told, reader.language),
     }
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from datetime import UTC, date, datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
+from markupsafe import Markup
+
 from server.language import say
 
 
@@ -58,6 +60,37 @@ def spoken(language: str, moment: datetime | None, place: tzinfo = UTC, exact: b
     here = moment.astimezone(place)
     time = here.strftime("%H:%M:%S" if exact else "%H:%M")
     return f"{day(language, here)}, {time}"
+
+
+def named(language: str, moment: datetime, place: tzinfo) -> str:
+    """Write a moment to the second with the zone in which it is told, as a receipt does."""
+    return f"{spoken(language, moment, place, exact=True)} ({place})"
+
+
+def stamp(language: str, moment: datetime | None, place: tzinfo = UTC) -> Markup:
+    """Write a moment as `spoken` does, in an element that programs read; a dash where there is none."""
+    return _element(moment, spoken(language, moment, place))
+
+
+def exact_stamp(language: str, moment: datetime, place: tzinfo) -> Markup:
+    """Write a moment as `named` does, in an element that programs read."""
+    return _element(moment, named(language, moment, place))
+
+
+def hour_stamp(moment: datetime, place: tzinfo) -> Markup:
+    """Write the hour of a moment with its zone, in an element that programs read."""
+    return _element(moment, f"{moment.astimezone(place):%H:%M} ({place})")
+
+
+def day_stamp(language: str, date: date) -> Markup:
+    """Write a day as a page says it, in an element that programs read."""
+    return Markup('<time datetime="{:%Y-%m-%d}">{}</time>').format(date, day(language, date))
+
+
+def _element(moment: datetime | None, text: str) -> Markup:
+    if moment is None:
+        return Markup(text)
+    return Markup('<time datetime="{}">{}</time>').format(moment.astimezone(UTC).isoformat(timespec="seconds"), text)
 
 
 def day(language: str, date: date) -> str:

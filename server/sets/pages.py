@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Path, Query, Request
@@ -29,6 +28,7 @@ from server.sets.previewing import preview
 from server.sets.standing import final, standing
 from server.storage.sets import PUBLISHING, TaskSet
 from server.templating import page
+from server.zones import told
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 PATIENCE = 2.0  # s that a person waits for a set to be published without seeing how far it is
@@ -159,7 +159,7 @@ def _checked(written: Mapping[str, Any]) -> Draft:
 
 def _common(reader: Reader) -> dict[str, Any]:
     course = here(reader).course
-    return {"course": course, "local": partial(clock.spoken, reader.language, place=clock.zone(course.time_zone))}
+    return {"course": course, **told(reader.language, clock.zone(course.time_zone))}
 
 
 async def _builder(

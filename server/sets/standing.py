@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from functools import partial
 from typing import Any
 
+from server import zones
 from server.bench import Bench
 from server.marks.counting import by_submission, entries
 from server.sets import clock
@@ -138,6 +138,5 @@ async def on_page(bench: Bench, variant: str, language: str, now: datetime) -> d
         "task_open": own.stage in (Stage.OPEN, Stage.LATE) and task.left != 0,
         "spoilt": last is not None and faulty(last),
         "remaining": clock.left(own.window.due, now),
-        "zone": course.time_zone,
-        "local": partial(clock.spoken, language, place=clock.zone(course.time_zone)),
+        **zones.told(language, clock.zone(course.time_zone)),
     }
