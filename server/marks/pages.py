@@ -19,6 +19,7 @@ from server.courses import here
 from server.errors import Refused
 from server.language import say
 from server.marks import giving, gradebook
+from server.marks.asking import asked
 from server.marks.giving import NewMark, Settling
 from server.marks.gradebook import Gradebook
 from server.marks.history import history
@@ -57,6 +58,7 @@ async def show_results(task_set: str, request: Request, bench: Tools, reader: As
         "book": found,
         "summary": summary(found),
         "priced": any(cell.hints for row in found.rows for cell in row.cells),
+        "asked": asked(found.task_set, reader.language),
         "left": left[:MOST_OPEN],
         "more_left": len(left) - len(left[:MOST_OPEN]),
         "undecided": sum(one.code != Code.FAULT for one in left),
@@ -74,6 +76,7 @@ async def show_analysis(task_set: str, request: Request, bench: Tools, reader: A
     context = {
         "task_set": found,
         "items": shown,
+        "asked": asked(found, reader.language),
         "titles": {slot.number: await _titles(bench, slot.pool, reader.language) for slot in found.slots},
         "signed": partial(_signed, reader.language),
         "rounded": partial(_rounded, reader.language, places=1),

@@ -11,6 +11,7 @@ from server import forms
 from server.bench import Tools
 from server.courses import here
 from server.errors import printable
+from server.marks.asking import asked
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.regrading import job as regrade
@@ -32,6 +33,7 @@ async def show_regrade(
     found = await set_of(bench, reader, task_set)
     last = await bench.jobs.latest(regrade.NAME, found.id)
     told, more = await changes_of(bench, last, after) if last and not last.live else (NOTHING, None)
+    asks, solves = asked(found, reader.language), asked(found, reader.language, "steps")
     people = [*await bench.courses.members(found.course), *await bench.courses.left(found.course)]
     context = {
         "task_set": found,
@@ -40,6 +42,8 @@ async def show_regrade(
         "job": last,
         **told,
         "more": more,
+        "asked": asks,
+        "named": lambda one: [*((solves, step) for step in one["steps"]), *((asks, text) for text in one["texts"])],
         "names": {member.person.id: member.person.name for member in people},
     }
     return page(request, reader.language, "regrade.html", context)

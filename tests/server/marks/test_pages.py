@@ -21,6 +21,7 @@ def test_results_show_points_and_settle_an_open_answer_by_a_form(
     page = course.lecturer.get(f"{path}?lang=en").text
     assert "Student, task 1: undecided, 8 of 10 points" in page and "1 of 3" in page and "(provisional)" in page
     assert f'href="/sets/{number}/students/{person}#item-1"' in page
+    assert "Task 1, Formula of the angular velocity of the rod" in page and "<code>omega2_formula</code>" not in page
     form = page[page.index("open-answers") :]
     typed = unescape(re.search(r"<textarea[^>]*>\n(.*?)</textarea>", form, re.DOTALL)[1])  # type: ignore[index]
     assert typed == answers["omega2_formula"]

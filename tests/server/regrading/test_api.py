@@ -71,7 +71,10 @@ def test_a_wrong_reference_is_shown_beside_the_new_one_before_it_is_replaced(cou
         "code": card.code, "slot": 1, "steps": [{"name": "l3", "old": 2 * right, "new": right}], "texts": [],
     }  # fmt: skip
     page = course.lecturer.get(f"{path}?lang=en").text
-    assert f'<th scope="row" class="code">{card.code}</th>' in page and str(2 * right) in page
+    assert (
+        f'<th scope="row" class="code">{card.code}</th><td>1</td><td>Position of the slider from the projection' in page
+        and str(2 * right) in page
+    )
     assert '<input type="hidden" name="recompute_references" value="yes">' in page and "Nothing changes" not in page
     wish = {"recompute_references": True}
     ended(course, course.lecturer.post(f"/api/v1/task-sets/{number}/regrade", json=wish).json()["id"])
@@ -104,7 +107,7 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     page = course.lecturer.get(f"{reply.headers['location']}?lang=en").text
     assert f'href="{path}"' in page
     page = course.lecturer.get(f"{path}?lang=en").text
-    assert "What would change" in page and "Student" in page and '<td class="code">l3</td>' in page
+    assert "What would change" in page and "Student" in page and "<td>Position of the slider l3</td>" in page
     assert 'name="then" value="regrade">Change results: 1<' in page
     assert "wrong <code>wrong</code>" in page and "right <code>right</code>" in page
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
