@@ -6,6 +6,7 @@ import { restoreDraft } from "./ts/draft.ts";
 import { takeFiles } from "./ts/drop.ts";
 import { listenForEcho } from "./ts/echo.ts";
 import { growFormulas } from "./ts/formula.ts";
+import { followJob } from "./ts/jobs.ts";
 import { keepPerson } from "./ts/laboratory/person.ts";
 import { moveInGrid } from "./ts/matrix.ts";
 import { orderList } from "./ts/order.ts";
@@ -33,6 +34,7 @@ document.querySelectorAll<HTMLElement>("[data-visual]").forEach(offerVisual);
 document.querySelectorAll<HTMLElement>('.keys[hidden]').forEach(showSymbols);
 document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);
 document.querySelectorAll<HTMLElement>("[data-progress]").forEach(followProgress);
+document.querySelectorAll<HTMLElement>('[data-job^="/"]').forEach(followJob);
 document.querySelectorAll<HTMLFormElement>("form[data-person]").forEach(keepPerson);
 const bench = document.querySelector<HTMLElement>("[data-laboratory]");
 if (bench !== null) void import("./ts/laboratory/panel.ts").then(({ start }) => start(bench)); // no other page needs it

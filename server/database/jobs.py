@@ -23,6 +23,7 @@ from server.storage.jobs import (
     Json,
     Kind,
     Order,
+    Progress,
 )
 from server.tables import batches, jobs
 
@@ -58,6 +59,13 @@ class Jobs:
         row = await self._connections.read(lambda connection: connection.execute(query).mappings().first())
         return None if row is None else Job(**row)
 
+    async def progress(self, number: str) -> Sequence[Progress]:
+        """Tell how far each batch of a job is."""
+        columns = batches.c.piece, batches.c.reached, batches.c.parts
+        query = select(*columns).where(batches.c.job == number).order_by(batches.c.number)
+        rows = await self._connections.read(lambda connection: connection.execute(query).all())
+        return [Progress(*row) for row in rows]
+
     async def results(self, number: str, after: int, most: int) -> Sequence[tuple[int, Json]]:
         """List number and result of the batches that are done, behind a number."""
         done = batches.c.job == number, batches.c.number > after, batches.c.state == DONE
@@ -80,9 +88,9 @@ class Jobs:
         """Take a certain batch, unless it is done or in other hands."""
         return await self._connections.write(lambda connection: _take(connection, worker, number, batch, self.lease))
 
-    async def renew(self, batch: Batch) -> bool:
-        """Keep a batch for longer; tells whether it is still this worker's."""
-        return await self._connections.write(lambda connection: _renew(connection, batch, self.lease))
+    async def renew(self, batch: Batch, reached: int = 0) -> bool:
+        """Keep a batch for longer, and how many of its parts are done; tells whether it is still this worker's."""
+        return await self._connections.write(lambda connection: _renew(connection, batch, reached, self.lease))
 
     async def read(self, kind: Kind, batch: Batch) -> Any:
         """Read what a batch works on."""
@@ -132,7 +140,7 @@ def start(connection: Connection, order: Order, record: Callable[[Connection], N
         "person": order.person, "created": order.created,
     }  # fmt: skip
     connection.execute(insert(jobs), values)
-    fresh = {"job": order.id, "state": WAITING, "fence": 0, "failures": 0}
+    fresh = {"job": order.id, "state": WAITING, "fence": 0, "failures": 0, "parts": order.parts, "reached": 0}
     rows = [fresh | {"number": number, "piece": piece} for number, piece in enumerate(order.pieces, 1)]
     connection.execute(insert(batches), rows)
     _hand_out(connection, [(order.id, number) for number in range(1, len(rows) + 1)])
@@ -190,6 +198,7 @@ def _take(connection: Connection, worker: str, number: str, batch: int, lease: f
     if row is None:
         return None
     held = {"state": RUNNING, "fence": row.fence + 1, "lease": now + timedelta(seconds=lease), "worker": worker}
+    held["reached"] = 0  # whoever had it before has left nothing
     connection.execute(update(batches).where(*mine), held)
     connection.execute(update(jobs).where(jobs.c.id == number, jobs.c.state == WAITING).values(state=RUNNING))
     return Batch(number, row.kind, batch, row.fence + 1, row.payload, row.piece)
@@ -201,13 +210,14 @@ def _held(batch: Batch) -> tuple[ColumnElement[bool], ...]:
     return *mine, batches.c.fence == batch.fence, batches.c.state == RUNNING
 
 
-def _renew(connection: Connection, batch: Batch, lease: float) -> bool:
-    longer = _now(connection) + timedelta(seconds=lease)
-    return connection.execute(update(batches).where(*_held(batch)).values(lease=longer)).rowcount == 1
+def _renew(connection: Connection, batch: Batch, reached: int, lease: float) -> bool:
+    kept = {"lease": _now(connection) + timedelta(seconds=lease), "reached": reached}
+    live = batches.c.job.in_(select(jobs.c.id).where(jobs.c.state.in_(LIVE)))
+    return connection.execute(update(batches).where(*_held(batch), live).values(kept)).rowcount == 1
 
 
 def _keep(connection: Connection, kind: Kind, batch: Batch, outcome: Any) -> None:
-    done = update(batches).where(*_held(batch)).values(state=DONE, lease=None)
+    done = update(batches).where(*_held(batch)).values(state=DONE, lease=None, reached=batches.c.parts)
     if connection.execute(done).rowcount != 1:
         raise Fenced(f"batch {batch.number} of job {batch.job}")
     kept = kind.write(connection, batch, outcome)

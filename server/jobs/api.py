@@ -35,10 +35,18 @@ async def _course_of(bench: Bench, number: str) -> str | None:
 COURSES["job"] = _course_of
 
 
+class ShownItem(BaseModel):
+    """How far a task is that is being published: so many of its cards are drawn and checked."""
+
+    number: int
+    done: int
+    total: int
+
+
 class ShownJob(BaseModel):
     """A job: `state` is waiting, running, done, failed or cancelled; `done` of `total` batches are done.
 
-    `result` holds what its kind tells of the work once it has ended.
+    `items` tells more of a set that is being published. `result` holds what the kind of job tells once it has ended.
     """
 
     id: str
@@ -47,6 +55,7 @@ class ShownJob(BaseModel):
     state: str
     done: int
     total: int
+    items: list[ShownItem]
     result: dict[str, Any] | None
     created: datetime
     finished: datetime | None
@@ -55,7 +64,7 @@ class ShownJob(BaseModel):
 @router.get("/jobs/{job}", responses=HERE)
 async def show_job(job: str, bench: Tools) -> ShownJob:
     """Tell how far a job is."""
-    return shown_job(await job_of(bench, job))
+    return await shown_job(bench, job)
 
 
 @router.get(
@@ -78,7 +87,7 @@ async def watch_job(job: str, bench: Tools, reader: Asking) -> StreamingResponse
 async def cancel_job(job: str, bench: Tools) -> ShownJob:
     """End a job. What its batches have written stays where it may stand alone, else it is taken back."""
     await cancelled(bench, job)
-    return shown_job(await job_of(bench, job))
+    return await shown_job(bench, job)
 
 
 @router.get(
@@ -114,9 +123,21 @@ async def cancelled(bench: Bench, number: str) -> None:
     await bench.jobs.cancel(KINDS[found.kind], number)
 
 
-def shown_job(job: Job) -> ShownJob:
-    """Show a job to those who teach the course."""
-    return ShownJob(**{name: getattr(job, name) for name in ShownJob.model_fields})
+async def shown_job(bench: Bench, number: str) -> ShownJob:
+    """Show a job to those who teach the course.
+
+    Raises:
+        Refused: 404, there is none.
+    """
+    job = await job_of(bench, number)
+    told = {name: getattr(job, name) for name in ShownJob.model_fields if name != "items"}
+    return ShownJob(**told, items=await items_of(bench, job))
+
+
+async def items_of(bench: Bench, job: Job) -> list[ShownItem]:
+    """Tell how far each task is, of a job whose batches are tasks and tell that."""
+    found = await bench.jobs.progress(job.id) if KINDS[job.kind].tells else ()
+    return [ShownItem(number=one.piece, done=one.reached, total=one.parts) for one in found]
 
 
 async def _events(bench: Bench, job: Job) -> AsyncIterator[str]:
@@ -125,10 +146,11 @@ async def _events(bench: Bench, job: Job) -> AsyncIterator[str]:
     end, silent, sent = clock() + LONGEST_WATCH, clock() + HEARTBEAT, None
     yield "retry: 1000\n\n"
     while True:
-        if (job.state, job.done) != sent:
-            sent, silent = (job.state, job.done), clock() + HEARTBEAT
-            told = {"state": job.state, "done": job.done, "total": job.total}
-            yield f"event: progress\ndata: {json.dumps(told)}\n\n"
+        items = [item.model_dump() for item in await items_of(bench, job)]
+        told = json.dumps({"state": job.state, "done": job.done, "total": job.total, "items": items})
+        if told != sent:
+            sent, silent = told, clock() + HEARTBEAT
+            yield f"event: progress\ndata: {told}\n\n"
         elif clock() > silent:
             silent = clock() + HEARTBEAT
             yield ": still here\n\n"

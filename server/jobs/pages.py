@@ -1,4 +1,4 @@
-"""The page of a job: how far it is, looked at again by itself while the job is under way."""
+"""The page of a job: how far it is. Without a script it looks again by itself while the job is under way."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server.bench import Tools
 from server.courses import here
-from server.jobs.api import cancelled, job_of
+from server.jobs.api import cancelled, items_of, job_of
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.sets.publishing import troubles
 from server.sets.wording import said
 from server.templating import page
 
-AGAIN = "2"  # s until the page looks again
+AGAIN = 2  # s until the page looks again where no script does
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
@@ -23,12 +23,19 @@ router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 async def show_job(job: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show how far a job is, and where it has led."""
     found = await job_of(bench, job)
-    context = {"job": found, "course": here(reader).course, "lecturer": here(reader).role is CourseRole.LECTURER}
-    context["troubles"] = [said(reader.language, one) for one in troubles(found)]
-    shown = page(request, reader.language, "job.html", context)
-    if found.live:
-        shown.headers["Refresh"] = AGAIN
-    return shown
+    items = await items_of(bench, found)
+    context = {
+        "job": found,
+        "course": here(reader).course,
+        "lecturer": here(reader).role is CourseRole.LECTURER,
+        "items": items,
+        "reached": (sum(one.done for one in items), sum(one.total for one in items))
+        if items
+        else (found.done, found.total),
+        "troubles": [said(reader.language, one) for one in troubles(found)],
+        "again": AGAIN,
+    }
+    return page(request, reader.language, "job.html", context)
 
 
 @router.post("/jobs/{job}/cancel")

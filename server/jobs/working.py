@@ -8,11 +8,13 @@ from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
 
+from server.jobs.tally import Tally, tallied
 from server.judging import Judging
 from server.storage import StorageUnavailable
 from server.storage.jobs import Batch, Fenced, Jobs, Kind
 
 RENEWALS = 3  # in the time of one lease
+LOOK = 0.5  # s between two looks at how far a batch is
 log = logging.getLogger("grubler")
 
 
@@ -34,9 +36,11 @@ async def work(bureau: Bureau, batch: Batch) -> None:
     """
     kind = bureau.kinds[batch.kind]
     try:
-        async with _renewed(bureau.jobs, batch):
-            given = await bureau.jobs.read(kind, batch)
-            (outcome,) = await bureau.judging.apart(kind.compute, [(bureau.secret, given)])
+        with tallied() as tally:
+            async with _renewed(bureau.jobs, batch, tally):
+                given = await bureau.jobs.read(kind, batch)
+                told = (tally,) if kind.tells else ()
+                (outcome,) = await bureau.judging.apart(kind.compute, [(bureau.secret, given, *told)])
         await bureau.jobs.keep(kind, batch, outcome)
     except Fenced as refused:
         log.warning("came too late and wrote nothing: %s", refused)
@@ -58,8 +62,8 @@ async def _give_back(bureau: Bureau, batch: Batch) -> None:
 
 
 @asynccontextmanager
-async def _renewed(jobs: Jobs, batch: Batch) -> AsyncIterator[None]:
-    renewing = asyncio.create_task(_renew(jobs, batch))
+async def _renewed(jobs: Jobs, batch: Batch, tally: Tally) -> AsyncIterator[None]:
+    renewing = asyncio.create_task(_renew(jobs, batch, tally))
     try:
         yield
     finally:
@@ -68,9 +72,16 @@ async def _renewed(jobs: Jobs, batch: Batch) -> AsyncIterator[None]:
             await renewing
 
 
-async def _renew(jobs: Jobs, batch: Batch) -> None:
+async def _renew(jobs: Jobs, batch: Batch, tally: Tally) -> None:
+    """Keep a batch and tell how far it is; one that is not ours any more is given up."""
+    clock, period, told = asyncio.get_running_loop().time, jobs.lease / RENEWALS, 0
+    due = clock() + period
     while True:
-        await asyncio.sleep(jobs.lease / RENEWALS)
+        await asyncio.sleep(min(LOOK, period))
+        reached = tally.read()
+        if reached == told and clock() < due:
+            continue
         with suppress(StorageUnavailable):  # tried again; without luck others take the batch
-            if not await jobs.renew(batch):
-                return
+            if not await jobs.renew(batch, reached):
+                return tally.drop()
+            told, due = reached, clock() + period

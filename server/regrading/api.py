@@ -114,7 +114,7 @@ async def start_regrade(task_set: str, body: NewRegrade, response: Response, ben
     wish = {**body.model_dump(), "reason": printable(body.reason)}
     number = await ordered(bench, reader, await set_of(bench, reader, task_set), wish)
     response.headers["Location"] = f"/api/v1/jobs/{number}"
-    return shown_job(await job_of(bench, number))
+    return await shown_job(bench, number)
 
 
 @router.get("/jobs/{job}/changes", responses=HERE)

@@ -13,7 +13,7 @@ from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import HERE, ShownCourse, here, start
 from server.errors import Failure, Refused
-from server.jobs.api import ShownJob, job_of, shown_job
+from server.jobs.api import ShownJob, shown_job
 from server.policy import COURSE_LECTURER, CourseRole, Role
 from server.reader import COURSES, Asking, Reader, admit, in_course
 from server.sets import building, handing, printing, publishing
@@ -209,7 +209,7 @@ async def print_class(
     """Print all tasks of a published set for a class, as a job: sheets with codes, and the keys apart."""
     number = await printed(bench, reader, await set_of(bench, reader, task_set), body.most if body else None)
     response.headers["Location"] = f"/api/v1/jobs/{number}"
-    return shown_job(await job_of(bench, number))
+    return await shown_job(bench, number)
 
 
 async def printed(bench: Bench, reader: Reader, task_set: TaskSet, most: int | None) -> str:

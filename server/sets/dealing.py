@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import hmac
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import partial
 from math import ceil
@@ -28,6 +28,7 @@ ALIKE = 0.01  # share of cards whose numbers may stand on another card too
 ANEW = 20  # redraws of a card whose numbers are dealt already
 
 Limits: TypeAlias = Mapping[str, tuple[float, float]]
+Tell: TypeAlias = Callable[[int], None]  # takes how many cards are ready
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +114,8 @@ def within(variant: Variant, limits: Limits) -> bool:
     return all(low <= found[name] <= high for name, (low, high) in limits.items() if name in found)
 
 
-def prepare(secret: bytes, plan: Plan) -> tuple[tuple[Drawn, ...], Trouble | None]:
-    """Draw and check the cards of a slot.
+def prepare(secret: bytes, plan: Plan, tell: Tell) -> tuple[tuple[Drawn, ...], Trouble | None]:
+    """Draw and check the cards of a slot, and tell how many are ready.
 
     Returns:
         The cards, one a seat; none, and the trouble, where the slot cannot be published.
@@ -123,13 +124,23 @@ def prepare(secret: bytes, plan: Plan) -> tuple[tuple[Drawn, ...], Trouble | Non
         _try_limits(secret, plan)
         drawn = tuple(_distinct(secret, plan))
         _compare(plan, drawn)
+        cards: dict[int, Drawn] = {}
         for exercise in plan.pool:
-            _verify(plan, exercise, [variant.seed for _, variant in drawn if variant.exercise == exercise])
-        return tuple(card(seat, variant) for seat, variant in drawn), None
+            _verify(plan, exercise, _written(drawn, exercise, cards, tell))
+        return tuple(cards[place] for place in range(len(drawn))), None
     except Unpublishable as error:
         return (), error.trouble
     except variants.DrawError as error:
         return (), Trouble(plan.number, "gate", {"reason": str(error)})
+
+
+def _written(drawn: Sequence[tuple[str, Variant]], exercise: str, cards: dict[int, Drawn], tell: Tell) -> Iterator[int]:
+    """Give the gate the seeds of an exercise, and write the card of each that it has looked at."""
+    for place, (seat, variant) in enumerate(drawn):
+        if variant.exercise == exercise:
+            yield variant.seed
+            cards[place] = card(seat, variant)
+            tell(len(cards))
 
 
 def card(seat: str, variant: Variant) -> Drawn:
@@ -207,7 +218,7 @@ def _compare(plan: Plan, drawn: Sequence[tuple[str, Variant]]) -> None:
         raise Unpublishable(Trouble(plan.number, "steps", {"counts": said}))
 
 
-def _verify(plan: Plan, exercise: str, seeds: Sequence[int]) -> None:
+def _verify(plan: Plan, exercise: str, seeds: Iterable[int]) -> None:
     """Pass an exercise through the publish gate on the very seeds that will be dealt."""
     failures = verifying.verify(exercise, seeds).failures
     if failures:

@@ -17,7 +17,7 @@ from server.storage.jobs import Job, Kind, Order
 from server.storage.sets import Slot, TaskSet
 
 NAME = "publish"
-PUBLISH = Kind(NAME, decks.read, dealing.prepare, decks.write, decks.finish, decks.undo)
+PUBLISH = Kind(NAME, decks.read, dealing.prepare, decks.write, decks.finish, decks.undo, tells=True)
 LOOK = 0.05  # s between two looks at a job that is waited for
 
 
@@ -40,9 +40,10 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
     if not task_set.slots:
         raise Troubled([Trouble(0, "empty")])
     roster = await bench.sets.students(task_set.course)
-    payload = {"task_set": task_set.id, "roster": roster, "seats": dealing.seats(roster), "actor": actor}
-    numbers = [slot.number for slot in task_set.slots]
-    made = Order(ids.new(), NAME, task_set.id, task_set.course, payload, numbers, person, datetime.now(UTC))
+    seats = dealing.seats(roster)
+    payload = {"task_set": task_set.id, "roster": roster, "seats": seats, "actor": actor}
+    numbers, now = [slot.number for slot in task_set.slots], datetime.now(UTC)
+    made = Order(ids.new(), NAME, task_set.id, task_set.course, payload, numbers, person, now, parts=len(seats))
     await bench.jobs.start(made, partial(decks.begin, number=task_set.id, revision=task_set.revision))
     bench.engine.wake()
     return made.id

@@ -61,6 +61,7 @@ class Order:
     pieces: Sequence[Json]
     person: str | None
     created: datetime
+    parts: int = 1  # of each piece, which are counted while it is worked on
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,15 @@ class Batch:
     fence: int
     payload: Mapping[str, Json]
     piece: Json
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far a batch is: so many of its parts are done."""
+
+    piece: Json
+    reached: int
+    parts: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,14 +112,16 @@ class Kind:
         write: Writes what came of a batch, in the transaction that marks it done.
         finish: Ends the job, in the transaction of the last batch.
         undo: Takes back what batches have written when the job fails or is cancelled.
+        tells: Whether `compute` takes a third argument, to tell how many parts of its batch are done.
     """
 
     name: str
     read: Callable[[Connection, Batch], Any]
-    compute: Callable[[bytes, Any], Any]
+    compute: Callable[..., Any]
     write: Callable[[Connection, Batch, Any], Kept]
     finish: Callable[[Connection, Job], Ending]
     undo: Callable[[Connection, Job], None]
+    tells: bool = False
 
 
 class Fenced(RuntimeError):
@@ -145,6 +157,10 @@ class Jobs(Protocol):
         """Give the last job of a kind on a subject."""
         ...
 
+    async def progress(self, number: str) -> Sequence[Progress]:
+        """Tell how far each batch of a job is."""
+        ...
+
     async def results(self, number: str, after: int, most: int) -> Sequence[tuple[int, Json]]:
         """List number and result of the batches that are done, behind a number."""
         ...
@@ -161,8 +177,8 @@ class Jobs(Protocol):
         """Take a certain batch, unless it is done or in other hands."""
         ...
 
-    async def renew(self, batch: Batch) -> bool:
-        """Keep a batch for longer; tells whether it is still this worker's."""
+    async def renew(self, batch: Batch, reached: int = 0) -> bool:
+        """Keep a batch for longer, and how many of its parts are done; tells whether it is still this worker's."""
         ...
 
     async def read(self, kind: Kind, batch: Batch) -> Any:

@@ -37,6 +37,8 @@ batches = Table(
     Column("lease", Moment),  # until when it is its worker's
     Column("worker", String(64)),
     Column("failures", Integer, nullable=False),
+    Column("parts", Integer, nullable=False, server_default="1"),  # what is counted while the batch is worked on
+    Column("reached", Integer, nullable=False, server_default="0"),  # of them
     Column("result", JSON),
     Column("content", LargeBinary),  # a document that was made
     Index(None, "state", "lease"),

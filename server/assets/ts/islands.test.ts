@@ -5,6 +5,7 @@ import { joinGrid, joinTable, split } from "./answers.ts";
 import { readCopy } from "./draft.ts";
 import { answerName } from "./fields.ts";
 import { meaning } from "./formula.ts";
+import { overall, readProgress } from "./jobs.ts";
 import { readKept } from "./kept.ts";
 import { allowsAttribute, allowsElement } from "./mathml.ts";
 import { neighbour } from "./matrix.ts";
@@ -49,6 +50,17 @@ test("a preview is read in its declared shape and anything else is no preview", 
   assert.deepEqual(readPreview(bad), bad);
   for (const reply of [null, "ok", 1, [], {}, { ok: true }, { ok: false }, { error: { code: "x" } }]) {
     assert.equal(readPreview(reply), null);
+  }
+});
+
+test("the progress of a job is read in its declared shape and anything else is none", () => {
+  const batches = { state: "running", done: 1, total: 3, items: [] };
+  assert.deepEqual(readProgress(JSON.stringify(batches)), batches);
+  assert.deepEqual(overall(batches), { done: 1, total: 3 });
+  const cards = { ...batches, items: [{ number: 1, done: 30, total: 30 }, { number: 2, done: 7, total: 30 }] };
+  assert.deepEqual(overall(readProgress(JSON.stringify(cards)) ?? batches), { done: 37, total: 60 });
+  for (const told of [null, 1, "x", {}, { ...batches, done: "1" }, { ...batches, items: 1 }, { ...batches, items: [{}] }]) {
+    assert.equal(readProgress(JSON.stringify(told)), null);
   }
 });
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -15,6 +16,7 @@ from server.storage.jobs import Batch, Ending, Job, Kept, Kind, Order
 from server.tables import batches, settings
 
 KIND = "counting"
+PART = 0.02  # s
 
 
 class Here(JudgingThread):
@@ -25,8 +27,8 @@ class Here(JudgingThread):
         return [await self.run(compute, *task) for task in tasks]
 
 
-def order(pieces: Sequence[Any], subject: str = "S") -> Order:
-    return Order(ids.new(), KIND, subject, None, {"by": "tests"}, pieces, None, datetime.now(UTC))
+def order(pieces: Sequence[Any], subject: str = "S", kind: str = KIND, parts: int = 1) -> Order:
+    return Order(ids.new(), kind, subject, None, {"by": "tests"}, pieces, None, datetime.now(UTC), parts)
 
 
 def read(connection: Connection, batch: Batch) -> Any:
@@ -38,6 +40,14 @@ def compute(secret: bytes, piece: Any) -> int:
     number, seconds = piece if isinstance(piece, list) else (piece, 0)
     time.sleep(seconds)
     return int(number) ** 2
+
+
+def compute_in_parts(secret: bytes, piece: Any, tell: Callable[[int], None]) -> int:
+    """Square a number in as many parts as it says, each of which takes a moment."""
+    for reached in range(1, int(piece) + 1):
+        time.sleep(PART)
+        tell(reached)
+    return int(piece) ** 2
 
 
 def write(connection: Connection, batch: Batch, outcome: Any) -> Kept:
@@ -57,7 +67,8 @@ def undo(connection: Connection, job: Job) -> None:
 
 
 COUNTING = Kind(KIND, read, compute, write, finish, undo)
-KINDS = {KIND: COUNTING}
+TELLING = replace(COUNTING, name="telling", compute=compute_in_parts, tells=True)
+KINDS = {KIND: COUNTING, TELLING.name: TELLING}
 
 
 def left(connection: Connection, job: str) -> int:

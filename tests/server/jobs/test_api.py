@@ -10,17 +10,18 @@ from typing import Any
 
 import pytest
 
-from server.jobs import api
+from server.jobs import api, working
 from server.jobs import streams as streams_of
 from server.jobs.kinds import KINDS
 from server.judging import JudgingThread
 from server.settings import Settings
 from tests.server.conftest import SECRET
-from tests.server.jobs.counting import COUNTING, Here, order
+from tests.server.jobs.counting import COUNTING, TELLING, Here, order
 from tests.server.school import School, opened
 from tests.server.stores import lay
 
 KIND = "sheets"
+AGAIN = '<noscript><meta http-equiv="refresh" content="2"></noscript>'
 
 
 @pytest.fixture(scope="module")
@@ -31,14 +32,15 @@ def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(JudgingThread, "apart", Here.apart)
         patch.setitem(KINDS, KIND, replace(COUNTING, name=KIND))
+        patch.setitem(KINDS, "publish", replace(TELLING, name="publish"))
         with opened(settings) as found:
             yield found
 
 
-def started(school: School, *pieces: Any) -> str:
+def started(school: School, *pieces: Any, kind: str = KIND, parts: int = 1) -> str:
     """Start a job of the course; gives its number."""
-    made = order(pieces)
-    made = replace(made, kind=KIND, subject=made.id, course=school.course)
+    made = order(pieces, kind=kind, parts=parts)
+    made = replace(made, subject=made.id, course=school.course)
     school.portal.call(school.bench.jobs.start, made)
     school.portal.call(_wake, school)
     return made.id
@@ -57,13 +59,28 @@ def test_a_job_is_watched_to_its_end(school: School) -> None:
         assert reply.headers["content-type"].startswith("text/event-stream")
         text = reply.text
     told = [json.loads(line) for line in re.findall(r"^data: (.*)$", text, re.MULTILINE)]
-    assert told[-1] == {"state": "done", "done": 3, "total": 3}
+    assert told[-1] == {"state": "done", "done": 3, "total": 3, "items": []}
     assert [one["done"] for one in told] == sorted(one["done"] for one in told)
     shown = lecturer.get(f"/api/v1/jobs/{number}").json()
     assert (shown["state"], shown["result"], shown["subject"]) == ("done", {"sum": 14}, number)
     document = lecturer.get(f"/api/v1/jobs/{number}/documents/2")
     assert (document.content, document.headers["content-type"]) == (b"document", "application/pdf")
     assert lecturer.get(f"/api/v1/jobs/{number}/documents/4").status_code == 404
+
+
+def test_publishing_tells_how_far_each_task_is(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(working, "LOOK", 0.01)
+    monkeypatch.setattr(api, "LOOK", 0.02)
+    lecturer, number = school.browser("lecturer"), started(school, 20, 15, kind="publish", parts=20)
+    text = lecturer.get(f"/api/v1/jobs/{number}/events").text
+    told = [json.loads(line)["items"] for line in re.findall(r"^data: (.*)$", text, re.MULTILINE)]
+    first = [items[0]["done"] for items in told]
+    assert first == sorted(first) and len(set(first) - {0, 20}) > 1
+    assert told[-1] == [{"number": 20, "done": 20, "total": 20}, {"number": 15, "done": 20, "total": 20}]
+    assert lecturer.get(f"/api/v1/jobs/{number}").json()["items"] == told[-1]
+    for language, words in (("en", "Task 20: 20 of 20"), ("pl", "Zadanie 20: 20 z 20"), ("ru", "Задание 20: 20 из 20")):
+        page = lecturer.get(f"/jobs/{number}?lang={language}").text
+        assert words in page and 'max="40" value="40"' in page
 
 
 def test_a_silent_job_gives_a_sign_of_life(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,14 +109,16 @@ def test_one_person_has_so_many_streams_open_and_a_server_so_many(school: School
     streams.open.clear()
 
 
-def test_the_page_looks_again_until_the_job_has_ended(school: School) -> None:
+def test_without_a_script_the_page_looks_again_until_the_job_has_ended(school: School) -> None:
     lecturer = school.browser("lecturer")
     number = started(school, [1, 0.3], [2, 0.3])
     reply = lecturer.get(f"/jobs/{number}?lang=en")
-    assert reply.headers["refresh"] and "Parts done: " in reply.text and f"/jobs/{number}/cancel" in reply.text
+    assert AGAIN in reply.text and "Documents printed: " in reply.text and f"/jobs/{number}/cancel" in reply.text
+    assert f'data-job="/api/v1/jobs/{number}/events"' in reply.text and "refresh" not in reply.headers
     assert lecturer.post(f"/jobs/{number}/cancel").headers["location"] == f"/jobs/{number}"
     reply = lecturer.get(f"/jobs/{number}?lang=en")
-    assert "refresh" not in reply.headers and "cancelled" in reply.text and "/cancel" not in reply.text
+    assert "refresh" not in reply.text and "/events" not in reply.text
+    assert "cancelled" in reply.text and "/cancel" not in reply.text
     again = lecturer.post(f"/api/v1/jobs/{number}/cancel")
     assert (again.status_code, again.json()["state"]) == (200, "cancelled")
 

@@ -16,12 +16,13 @@ from sqlalchemy import select
 
 from server.database import Database
 from server.jobs import engine as engines
+from server.jobs import working
 from server.jobs.engine import Engine
 from server.jobs.working import Bureau, work
 from server.settings import Settings
 from server.storage.jobs import Job
 from server.tables import batches
-from tests.server.jobs.counting import KINDS, Here, left, order
+from tests.server.jobs.counting import KINDS, TELLING, Here, left, order
 from tests.server.stores import lay
 
 WORKER = """
@@ -147,6 +148,43 @@ def test_a_batch_that_takes_longer_than_its_lease_is_renewed(bureau: Bureau) -> 
         return await bureau.jobs.job(batch.job)
 
     assert asyncio.run(worked()).state == "done"
+
+
+def test_a_batch_tells_how_far_it_is_while_it_is_worked_on(bureau: Bureau, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(working, "LOOK", 0.01)
+
+    async def worked() -> tuple[list[int], Any]:
+        await bureau.jobs.start(order([20], kind=TELLING.name, parts=20))
+        batch = await bureau.jobs.take("one")
+        assert batch is not None
+        working, seen = asyncio.create_task(work(bureau, batch)), []
+        while not working.done():
+            seen += [one.reached for one in await bureau.jobs.progress(batch.job)]
+            await asyncio.sleep(0.01)
+        return seen, (await bureau.jobs.progress(batch.job))[0]
+
+    seen, last = asyncio.run(worked())
+    assert seen == sorted(seen) and len(set(seen) - {0, 20}) > 3
+    assert (last.piece, last.reached, last.parts) == (20, 20, 20)
+
+
+def test_the_computing_of_a_job_that_was_cancelled_is_given_up(
+    bureau: Bureau, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(working, "LOOK", 0.01)
+
+    async def worked() -> None:
+        await bureau.jobs.start(order([10**6], kind=TELLING.name, parts=10**6))
+        batch = await bureau.jobs.take("one")
+        assert batch is not None
+        computing = asyncio.create_task(work(bureau, batch))
+        await asyncio.sleep(0.05)
+        await bureau.jobs.cancel(TELLING, batch.job)
+        async with asyncio.timeout(10):
+            await computing
+
+    asyncio.run(worked())
+    assert "nobody waits" in caplog.text
 
 
 def test_a_killed_server_goes_on_where_it_stood(url: str, bureau: Bureau) -> None:

@@ -103,6 +103,30 @@ def test_who_comes_after_the_lease_writes_nothing(jobs: Jobs) -> None:
     assert (rows(jobs, number), job(jobs, number).done) == (1, 1)
 
 
+def test_how_far_a_batch_is_stands_until_another_begins_it_anew(jobs: Jobs) -> None:
+    made = order([4, 5], "parts", parts=9)
+    asyncio.run(jobs.start(made))
+    batch = held(jobs, made.id)
+    assert asyncio.run(jobs.renew(batch, 6))
+    assert reached(jobs, made.id) == [(4, 6, 9), (5, 0, 9)]
+    asyncio.run(jobs.give_back(batch))
+    again = held(jobs, made.id)
+    assert reached(jobs, made.id) == [(4, 0, 9), (5, 0, 9)] and not asyncio.run(jobs.renew(batch, 8))
+    keep(jobs, again)
+    assert reached(jobs, made.id) == [(4, 9, 9), (5, 0, 9)]
+
+
+def test_a_batch_of_a_job_that_was_cancelled_is_not_kept_for_longer(jobs: Jobs) -> None:
+    number = started(jobs, [1], "cancelled meanwhile")
+    batch = held(jobs, number)
+    asyncio.run(jobs.cancel(COUNTING, number))
+    assert not asyncio.run(jobs.renew(batch))
+
+
+def reached(jobs: Jobs, number: str) -> list[tuple[Any, int, int]]:
+    return [(one.piece, one.reached, one.parts) for one in asyncio.run(jobs.progress(number))]
+
+
 def test_a_batch_whose_lease_is_over_is_taken_back(jobs: Jobs) -> None:
     number = started(jobs, [1], "silent")
     jobs.lease = -1.0

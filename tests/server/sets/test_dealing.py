@@ -6,6 +6,7 @@ import hashlib
 import hmac
 import json
 import pickle
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import pytest
@@ -20,6 +21,12 @@ from server.sets import dealing
 from server.sets.dealing import Plan, Trouble, card, draw, prepare, seats, seed, template
 
 SECRET = b"only the server knows it"
+
+
+def unheard(ready: int) -> None:
+    """Nobody asks how many cards are ready."""
+
+
 PLAN = Plan("S1", 1, ("slider_crank",), {}, ("anna", "bob", "spare 1"), "SET")
 
 
@@ -63,7 +70,7 @@ def test_limits_are_kept_by_drawing_again() -> None:
     ],
 )
 def test_what_cannot_be_published_is_told(plan: Plan, code: str, values: dict[str, object]) -> None:
-    cards, trouble = prepare(SECRET, plan)
+    cards, trouble = prepare(SECRET, plan, unheard)
     assert cards == () and trouble is not None
     assert (trouble.slot, trouble.code) == (1, code)
     assert values.items() <= dict(trouble.values).items()
@@ -71,28 +78,47 @@ def test_what_cannot_be_published_is_told(plan: Plan, code: str, values: dict[st
 
 def test_equal_cards_are_drawn_again_and_at_last_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     twins = replace(PLAN, seats=("anna", "anna"))
-    cards, _ = prepare(SECRET, twins)
+    cards, _ = prepare(SECRET, twins, unheard)
     assert cards[0].givens != cards[1].givens
     monkeypatch.setattr(dealing, "ANEW", 1)
-    cards, trouble = prepare(SECRET, twins)
+    cards, trouble = prepare(SECRET, twins, unheard)
     assert trouble == Trouble(1, "alike", {"alike": 2, "cards": 2})
 
 
 def test_the_gate_looks_at_the_seeds_that_are_dealt(monkeypatch: pytest.MonkeyPatch) -> None:
     seen: list[int] = []
 
-    def verify(exercise: str, seeds: list[int]) -> verifying.Report:
+    def verify(exercise: str, seeds: Iterable[int]) -> verifying.Report:
         seen.extend(seeds)
-        return verifying.Report(exercise, len(seeds), len(seeds), (f"seed {seeds[0]}: step x = 1, oracle 2",))
+        return verifying.Report(exercise, len(seen), len(seen), (f"seed {seen[0]}: step x = 1, oracle 2",))
 
     monkeypatch.setattr(verifying, "verify", verify)
-    cards, trouble = prepare(SECRET, PLAN)
+    cards, trouble = prepare(SECRET, PLAN, unheard)
     assert cards == () and trouble is not None and trouble.code == "gate" and "oracle 2" in str(trouble.values)
     assert seen == [draw(SECRET, PLAN, seat).seed for seat in PLAN.seats]
 
 
+def test_a_card_is_told_as_soon_as_the_gate_has_looked_at_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    happened: list[object] = []
+
+    def verify(exercise: str, seeds: Iterable[int]) -> verifying.Report:
+        happened.extend(iter(seeds))
+        return verifying.Report(exercise, 3, 3, ())
+
+    monkeypatch.setattr(verifying, "verify", lambda exercise, seeds: verify(exercise, noted(seeds)))
+
+    def noted(seeds: Iterable[int]) -> Iterator[int]:
+        for one in seeds:
+            happened.append("looked")
+            yield one
+
+    cards, _ = prepare(SECRET, PLAN, lambda ready: happened.append(f"{ready} ready"))
+    order = [one for one in happened if isinstance(one, str)]
+    assert order == ["looked", "1 ready", "looked", "2 ready", "looked", "3 ready"] and len(cards) == 3
+
+
 def test_a_card_holds_what_was_shown_and_what_is_judged_against() -> None:
-    cards, trouble = prepare(SECRET, PLAN)
+    cards, trouble = prepare(SECRET, PLAN, unheard)
     assert trouble is None and [one.seat for one in cards] == ["anna", "bob", "spare 1"]
     assert pickle.loads(pickle.dumps(cards)) == cards
     stored = json.loads(json.dumps(cards[0].reference))
