@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from html import escape
+from math import degrees
 from typing import Any
 
 from exercises import catalogue, solving
@@ -18,6 +19,7 @@ from graders import Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
+from graders.language.tree import Binary, Name, Number, Tree, Unary, mapped
 from graders.language.tree import names as names_in
 from graders.units import read_unit
 from graders.words import common_hint, decimal, printed_unit, tolerance
@@ -158,10 +160,11 @@ def hints(variant: Variant, grade: Grade, lang: str) -> tuple[str, ...]:
 
 
 def ladder(variant: Variant, answer: str, lang: str) -> tuple[str, ...]:
-    """Give what helps on with a wrong answer, as HTML: the symbols of what it follows from, then its equation.
+    """Give what helps on with a wrong answer, as HTML: the symbols it follows from, its equation, that with the data.
 
     The equation stays hidden where another answer asks for it, and in a laboratory, whose work is to find the
-    equations; a step that is no formula has no ladder.
+    equations; a step that is no formula has no ladder. With the data means with the numbers the statement prints, in SI
+    units; results of earlier steps stay symbols, so no step holds a value of the reference.
     """
     solved = solving.solved(variant)
     step = solved.step_of(answer)
@@ -173,8 +176,39 @@ def ladder(variant: Variant, answer: str, lang: str) -> tuple[str, ...]:
     used = [symbol_mathml(name) for name in (*numbers(variant.givens), *solved.steps) if name in named]
     asked = {judge.kind for name, judge in solved.answers.items() if solved.step_of(name) == step}
     told = asked <= NUMBERS and not catalogue.load(variant.exercise).exercise.report
-    equation = (_equation(step, mathml_of(tree, lang != "en")),) if told else ()
-    return (", ".join(used), *equation) if used else ()
+    equations = dict.fromkeys((tree, _with_data(variant, tree, lang))) if told else ()
+    return (", ".join(used), *(_equation(step, mathml_of(one, lang != "en")) for one in equations)) if used else ()
+
+
+def _with_data(variant: Variant, tree: Tree, lang: str) -> Tree:
+    """Put the printed numbers of a variant in the places of their symbols, in SI units, angles in degrees.
+
+    An equation that names a given alone stays as it is: with its number it would be the answer.
+    """
+    if isinstance(tree, Name) or (isinstance(tree, Unary) and isinstance(tree.operand, Name)):
+        return tree
+    given, printed = numbers(variant.givens), {one.name: one for one in printed_givens(variant, lang)}
+
+    def filled(node: Tree) -> Tree:
+        match node:
+            case Binary():
+                return replace(node, implicit=False)  # two numbers side by side would be one
+            case Name(name=name) if name in given and name in printed:
+                return _datum(given[name], printed[name].unit == "deg")
+        return node
+
+    return mapped(tree, filled)
+
+
+def _datum(value: float, angle: bool) -> Tree:
+    """Write a number as a tree: six figures, a power of ten where it is far from one, a degree sign."""
+    digits, _, power = f"{degrees(value) if angle else value:.6g}".partition("e")
+    number: Tree = Number(digits.lstrip("-"))
+    if power:
+        tens = Number(str(abs(int(power))))
+        number = Binary("*", number, Binary("^", Number("10"), tens if int(power) > 0 else Unary("-", tens)))
+    number = Unary("°", number) if angle else number
+    return Unary("-", number) if value < 0 else number
 
 
 def hints_text(variant: Variant, grade: Grade, lang: str) -> str:

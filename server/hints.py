@@ -37,7 +37,8 @@ class NextHint(BaseModel):
 
 
 class Ladder(BaseModel):
-    """The hints under an answer that was wrong or partly right, as HTML: the symbols it follows from, its equation.
+    """The hints under an answer that was wrong or partly right, as HTML: the symbols it follows from, its equation,
+    and that with the numbers of the task.
 
     `left` are the steps that can still be opened, each for `price`, a share of the points of the task.
     """

@@ -29,7 +29,8 @@ class Rules(BaseModel):
         late_loss: The share lost with each day begun.
         keep: Whether the best or the last attempt gives the points.
         hints: Whether recognised slips are named.
-        ladder: Whether a wrong answer may be helped on: first by what it follows from, then by its equation.
+        ladder: Whether a wrong answer may be helped on: by what it follows from, by its
+            equation, by that with the numbers of the task.
         hint_price: The share lost, with each such hint opened, of the points of what is handed in to the task after it.
         solutions: When the worked solution opens; `after_close` is when the set has closed for everybody.
         follow_through: What a later answer is worth that is right from an earlier wrong one.

@@ -122,7 +122,7 @@ def test_a_wrong_answer_is_helped_on_step_by_step(client: TestClient, deal: Call
     page = post(client, deal(), {"l3": "1 m", "alpha2": RIGHT["alpha2"], "omega2": "1 rad/s", "omega2_formula": "l1"})
     lines = dict(re.findall(r'(?s)name="answer\.(\w+)"(.*?)</li>', page))
     ladder = {name: line.count('<details class="hint"') for name, line in lines.items()}
-    assert ladder == {"alpha2": 0, "l3": 2, "omega2_formula": 0, "omega2": 1, "v3": 0}
+    assert ladder == {"alpha2": 0, "l3": 3, "omega2_formula": 0, "omega2": 1, "v3": 0}
     assert "This quantity follows from: <math><msub><mi>l</mi><mn>1</mn></msub></math>, " in lines["l3"]
     arm = post(client, deal("tmm2_oop"), {"y_D": "9 m"})
     assert arm.count("Hint: what it follows from") == 1 and "Next hint: the equation" not in arm

@@ -41,8 +41,8 @@ def test_the_price_stands_on_the_button_and_in_the_rules(course: Course, languag
 
 def test_a_hint_is_taken_once_and_stays_open(course: Course) -> None:
     number, variant = astray(course)
-    assert [bought(course, variant, rung) for rung in ("2", "1", "1", "0", "-1", "", "3")] == [
-        409, 303, 303, 409, 409, 409, 409,
+    assert [bought(course, variant, rung) for rung in ("2", "1", "1", "0", "-1", "", "3", "4")] == [
+        409, 303, 303, 409, 409, 409, 409, 409,
     ]  # fmt: skip
     page = seen(course, variant)
     assert page.count('<details class="hint"') == 1 and 'name="rung" value="2"' in page
@@ -68,6 +68,18 @@ def test_the_lecturer_sees_what_was_opened_and_no_price(course: Course) -> None:
     assert course.lecturer.get(f"/variants/{variant}?lang=en").text.count("(−20 %") == 0
     (told,) = [one for one in course.student.get("/api/v1/me/data").json()["hints"] if one["variant"] == variant]
     assert (told["answer"], told["rung"]) == ("l3", 1)
+
+
+def test_the_last_step_is_the_equation_with_the_data_and_has_its_price_too(course: Course) -> None:
+    number, variant = astray(course)
+    assert [bought(course, variant, rung) for rung in ("1", "2", "3", "4")] == [303, 303, 303, 409]
+    page = seen(course, variant)
+    line = page[page.index('name="answer.l3"') :].split("</li>")[0]
+    assert line.count('<details class="hint"') == line.count("</details>") == 3 and 'form="buy-' not in line
+    assert "Next hint: the equation with your data" in line and "<mo>°</mo>" in line
+    course.hand_in(variant, texts(course, number))
+    assert "3 (−60 % of the points)" in seen(course, variant)
+    assert course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]["earned"] == 4
 
 
 def test_what_was_earned_before_a_hint_stays(course: Course) -> None:
@@ -97,11 +109,11 @@ def test_a_program_sees_the_hints_and_opens_the_next_one(course: Course) -> None
     number, variant = astray(course)
     path = f"/api/v1/variants/{variant}/hints"
     wanted = {"answer": "l3", "price": 0.2}
-    assert course.student.get(path).json() == [wanted | {"steps": [], "left": 2}]
+    assert course.student.get(path).json() == [wanted | {"steps": [], "left": 3}]
     for _ in range(2):  # the second time it is open
         reply = course.student.post(path, json={"answer": "l3", "step": 1})
         assert reply.status_code == 200 and "<mi>" in reply.json()["steps"][0]
-        assert reply.json() == wanted | {"steps": reply.json()["steps"], "left": 1}
+        assert reply.json() == wanted | {"steps": reply.json()["steps"], "left": 2}
     assert course.student.get(path).json() == [reply.json()]
     for step, status in ((3, 409), (0, 422), ("1", 422)):
         assert course.student.post(path, json={"answer": "l3", "step": step}).status_code == status
@@ -118,7 +130,7 @@ def test_in_practice_hints_are_whole_and_free(client: TestClient) -> None:
     assert client.get(path).json() == []
     client.post(f"/api/v1/variants/{variant}/submissions", json={"answers": {"l3": "9 m"}})
     (found,) = client.get(path).json()
-    assert (found["answer"], len(found["steps"]), found["left"], found["price"]) == ("l3", 2, 0, 0)
+    assert (found["answer"], len(found["steps"]), found["left"], found["price"]) == ("l3", 3, 0, 0)
     assert client.post(path, json={"answer": "l3", "step": 1}).status_code == 409
 
 
