@@ -35,8 +35,8 @@ def of_set(book: Gradebook, course: str, language: str) -> Table:
     tasks = [say(language, "marks.export_item", number=slot.number, points=f"{slot.points:g}") for slot in slots]
     rows = [
         (
-            *_who(course, row), book.task_set.title, *map(_points, row.cells), row.points, book.worth, row.share,
-            *_flags(language, [row]),
+            *_who(course, row), book.task_set.title, *map(_points, row.cells), *_taken_off([row]),
+            row.points, book.worth, row.share, *_flags(language, [row]),
         )
         for row in book.rows
     ]  # fmt: skip
@@ -51,7 +51,7 @@ def of_course(books: Sequence[Gradebook], course: str, language: str) -> Table:
     rows = [
         (
             *_who(course, own[0]), *(row.points if row.taken else None for row in own),
-            round(sum(row.points for row in own), 3), worth, *_flags(language, own),
+            *_taken_off(own), round(sum(row.points for row in own), 3), worth, *_flags(language, own),
         )
         for own in zip(*(one.rows for one in books), strict=True)
     ]  # fmt: skip
@@ -104,7 +104,18 @@ def _head(language: str) -> tuple[str, ...]:
 
 
 def _tail(language: str, *, share: bool) -> tuple[str, ...]:
-    own = ("points", "worth", *(["share"] if share else []), "late", "provisional", "by_hand", "left")
+    own = (
+        "before",
+        "late_loss",
+        "hint_loss",
+        "points",
+        "worth",
+        *(["share"] if share else []),
+        "late",
+        "provisional",
+        "by_hand",
+        "left",
+    )
     return tuple(say(language, f"marks.export_{name}") for name in own)
 
 
@@ -115,6 +126,12 @@ def _who(course: str, row: Row) -> tuple[str, ...]:
 
 def _points(cell: Cell) -> Value:
     return None if cell.share is None else cell.points
+
+
+def _taken_off(rows: Sequence[Row]) -> tuple[Value, ...]:
+    """Give the points before anything was taken off, and what lateness and hints at a price took off."""
+    parts = ([getattr(row, name) for row in rows] for name in ("before", "late_loss", "hint_loss"))
+    return tuple(round(sum(part), 3) for part in parts)
 
 
 def _flags(language: str, rows: Sequence[Row]) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from typing import Protocol
 from graders import Code
 from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
 from server.sets.handing import rules_of, window_of
-from server.sets.rules import Rules, Window, combined, kept, reached
+from server.sets.rules import Entry, Rules, Window, combined, kept, reached, worth
 from server.storage.courses import LEFT, Courses, Member
 from server.storage.marks import DealtCard, Marks
 from server.storage.sets import Line, Sets, Slot, TaskSet
@@ -46,6 +46,8 @@ class Cell:
         counted: How many attempts are used up.
         share: The share of the points earned; none where nothing was judged.
         points: The points earned.
+        late_loss: The points that lateness took off.
+        hint_loss: The points that hints at a price took off after that.
         receipt: The submission that gives the points.
         late: Whether that came after the due moment of this student.
         by_hand: Whether a mark by hand decides over it.
@@ -59,11 +61,18 @@ class Cell:
     counted: int
     share: float | None
     points: float
+    late_loss: float
+    hint_loss: float
     receipt: str | None
     late: bool
     by_hand: bool
     hints: int
     open: str | None
+
+    @property
+    def before(self) -> float:
+        """The points before anything was taken off."""
+        return round(self.points + self.late_loss + self.hint_loss, 3)
 
     @property
     def provisional(self) -> bool:
@@ -96,6 +105,21 @@ class Row:
     def points(self) -> float:
         """The points earned so far."""
         return round(sum(cell.points for cell in self.cells), 3)
+
+    @property
+    def before(self) -> float:
+        """The points before anything was taken off."""
+        return round(sum(cell.before for cell in self.cells), 3)
+
+    @property
+    def late_loss(self) -> float:
+        """The points that lateness took off."""
+        return round(sum(cell.late_loss for cell in self.cells), 3)
+
+    @property
+    def hint_loss(self) -> float:
+        """The points that hints at a price took off after that."""
+        return round(sum(cell.hint_loss for cell in self.cells), 3)
 
     @property
     def provisional(self) -> bool:
@@ -245,9 +269,19 @@ def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Mater
     state = None if not codes else "fault" if codes == {Code.FAULT.value} else "undecided"
     return Cell(
         slot, card, len(lines), sum(line.counted for line in lines), share, round((share or 0.0) * slot.points, 3),
-        best.receipt if best else None, bool(best and own.due and best.time > own.due),
+        *_losses(slot, best, own, rules), best.receipt if best else None,
+        bool(best and own.due and best.time > own.due),
         bool(best and best.settled), best.hints if best else 0, state,
     )  # fmt: skip
+
+
+def _losses(slot: Slot, best: Entry | None, own: Window, rules: Rules) -> tuple[float, float]:
+    """Give the points that lateness took off a submission, and those that hints took off what was left."""
+    if best is None:
+        return 0.0, 0.0
+    full, net = best.share * slot.points, round(reached(best, own.due, rules) * slot.points, 3)
+    on_time = round(full * worth(best.time, own.due, rules), 3)
+    return round(full - on_time, 3), round(on_time - net, 3)
 
 
 def _weighed(row: Row, earlier: Mapping[str, float]) -> Row:

@@ -27,11 +27,15 @@ class ShownStudent(BaseModel):
 
 class ShownCell(BaseModel):
     """A task of a student. `state` is right, partly, wrong, unreadable, undecided, fault, or open for no work yet;
-    `provisional` says that the points can still change by what the lecturer settles; `hints` were opened at a price."""
+    `provisional` says that the points can still change by what the lecturer settles; `hints` were opened at a price.
+    `late_loss` and `hint_loss` are the points that lateness and these hints took off: `points` are what is left.
+    """
 
     number: int
     state: str
     points: float
+    late_loss: float
+    hint_loss: float
     share: float | None
     provisional: bool
     late: bool
@@ -266,6 +270,7 @@ def _row(row: Row) -> ShownRow:
 def _cell(cell: Cell) -> ShownCell:
     return ShownCell(
         number=cell.slot.number, state=cell.state, points=cell.points, share=cell.share, provisional=cell.provisional,
+        late_loss=cell.late_loss, hint_loss=cell.hint_loss,
         late=cell.late, by_hand=cell.by_hand, hints=cell.hints, attempts=cell.counted, submissions=cell.handed,
         receipt=cell.receipt,
         variant=cell.card.variant if cell.card else None, code=cell.card.code if cell.card else None,

@@ -39,6 +39,26 @@ def test_a_text_that_begins_like_a_formula_is_inert_in_every_form(text: str) -> 
     assert excel[1][1] == 1.5 and excel[2][1] is None
 
 
+def test_an_export_shows_the_points_before_and_what_was_taken_off(course: Course) -> None:
+    rules = {"late": "reduced", "late_loss": 0.1, "ladder": True, "hint_price": 0.2}
+    number = course.published(title="Taken off", rules=rules, item={"attempts": None})
+    variant = course.variant(number)
+    course.hand_in(variant, {"l3": "9 m"})
+    form = {"answer": "l3", "rung": "1"}
+    assert course.student.post(f"/variants/{variant}/hints", data=form, follow_redirects=False).status_code == 303
+    course.move(number, hours=1)
+    course.hand_in(variant, reference(handing.variant_of(course.card(number))))
+    path = f"/api/v1/task-sets/{number}/marks.csv?lang=en"
+    head, *found = cells(course.lecturer.get(path).content, ",")
+    (row,) = [dict(zip(head, line, strict=True)) for line in found if line[3] == "Student"]
+    told = [
+        row[name] for name in ("Points before deductions", "Taken off for lateness", "Taken off for hints", "Points")
+    ]
+    assert told == ["10", "1", "1.8", "7.2"]
+    whole = cells(course.lecturer.get(f"/api/v1/courses/{course.school.course}/marks.csv?lang=en").content, ",")
+    assert "Taken off for hints" in whole[0]
+
+
 @pytest.mark.parametrize("text", ["Olga", "1-2", "A=B", "", "Ł. Żuk"])
 def test_other_texts_stay_as_they_are(text: str) -> None:
     assert inert(text) == text
@@ -56,7 +76,9 @@ def test_an_export_holds_what_the_gradebook_says_and_is_written_down(course: Cou
     assert head[:6] == ["Course", "Group", "Index number", "Name", "Task set", "Task 1 (10)"]
     assert {line[4] for line in found} == {"'=cmd|' /C calc'!A0"}
     assert {line[3]: line[5] for line in found} == {"Leaver": "", "Other": "0", "Student": "10"}
-    assert {line[3]: float(line[6]) for line in found} == {name: row["points"] for name, row in rows.items()}
+    assert {line[3]: float(line[head.index("Points")]) for line in found} == {
+        name: row["points"] for name, row in rows.items()
+    }
     excel = sheet(course.lecturer.get(f"{path}.xlsx?lang=en").content)
     assert list(excel[0]) == head and [one[5] for one in excel[1:]] == [None, 0, 10]
     polish = cells(course.lecturer.get(f"{path}.csv?lang=pl&separator=semicolon").content, ";")

@@ -61,10 +61,12 @@ def test_the_lecturer_sees_what_was_opened_and_no_price(course: Course) -> None:
     row = course.lecturer.get(f"/api/v1/task-sets/{number}/gradebook").json()["students"]
     (cell,) = [one["items"][0] for one in row if one["items"][0]["receipt"]]
     assert (cell["points"], cell["hints"]) == (8, 1)
+    assert (cell["late_loss"], cell["hint_loss"]) == (0, 2)
     results = course.lecturer.get(f"/sets/{number}/results?lang=en").text
     assert "hints opened: 1" in results and "after hints at a price" in results
     person = course.school.people["student"]
-    assert "hints opened: 1" in course.lecturer.get(f"/sets/{number}/students/{person}?lang=en").text
+    own = course.lecturer.get(f"/sets/{number}/students/{person}?lang=en").text
+    assert "hints opened: 1" in own and "10 before deductions, hints: −2" in own and "late: " not in own
     assert course.lecturer.get(f"/variants/{variant}?lang=en").text.count("(−20 %") == 0
     (told,) = [one for one in course.student.get("/api/v1/me/data").json()["hints"] if one["variant"] == variant]
     assert (told["answer"], told["rung"]) == ("l3", 1)
