@@ -15,7 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
 
-from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
+from graders.equality.deciding import PRECISIONS, Finding, exactly, share_of, zero
 from graders.equality.probing import side_of_zero
 from graders.equality.steep import EXPONENTS
 from graders.equality.turns import needed
@@ -85,12 +85,14 @@ class Cases:
         ranges: The values of all slots on the box; empty where no box is known.
         turning: Slots of the functions whose arguments may turn in the box, and of those that are steep.
         mutual: Whether the two differ also where only the reference has no value.
+        fine: Bits beyond 30 digits by which two sides are told apart.
     """
 
     def __init__(
         self, program: Program, lines: Sequence[int], points: Sequence[Point], ranges: Sequence[Interval],
-        turning: frozenset[int], mutual: bool,
+        turning: frozenset[int], mutual: bool, fine: int,
     ) -> None:  # fmt: skip
+        self.fine, self.share = fine, share_of(fine)
         self.program, self.lines, self.points, self.mutual = program, lines, points, mutual
         self.turning, self.left = turning, WORK
         self.ranges = ranges or [ALL] * (len(program.inputs) + len(program.operations) + len(program.literals))
@@ -108,7 +110,7 @@ class Cases:
         Args:
             runner: The program in balls of the first precision.
         """
-        with precision(PRECISIONS[0]):
+        with precision(PRECISIONS[0] + self.fine):
             tail = [[value] * len(self.points) for value in runner.tail]
             case = Case([*zip(*map(exactly, self.points), strict=True), *tail], [], [], [])
             try:
@@ -263,14 +265,16 @@ class Cases:
         multiples = [factor * x for x in other]
         if not (one[1] - multiples[1]).contains(0):
             return None
-        same = all(zero(a, b, PRECISIONS[0]) is Finding.EQUAL for a, b in zip(one[1:], multiples[1:], strict=True))
+        same = all(
+            zero(a, b, PRECISIONS[0], self.share) is Finding.EQUAL for a, b in zip(one[1:], multiples[1:], strict=True)
+        )
         return factor if same else None
 
     def _equal(self, case: Case) -> bool:
         """Tell whether the two agree where all is chosen, and end at the same places."""
         right, typed = self.program.outputs
         pairs = zip(case.slots[right], case.slots[typed], strict=True)
-        if right != typed and not all(_same(a, b) for a, b in pairs):
+        if right != typed and not all(_same(a, b, self.share) for a, b in pairs):
             return False
         one, other = needed(self.program, (right, *self.lines)), needed(self.program, (typed,))
         return self._end_too(other - one, one, case) and (not self.mutual or self._end_too(one - other, other, case))
@@ -323,8 +327,8 @@ class Cases:
         return name == "/" or (factors[0] > 0 if name in BEYOND else _multiple(kind, factors, (arb(1),)) is not None)
 
 
-def _same(one: Any, other: Any) -> bool:
-    return zero(one, other, PRECISIONS[0]) is Finding.EQUAL or (one.is_zero() and other.is_zero())
+def _same(one: Any, other: Any, share: Any) -> bool:
+    return zero(one, other, PRECISIONS[0], share) is Finding.EQUAL or (one.is_zero() and other.is_zero())
 
 
 def _is_one(factor: Any) -> bool:

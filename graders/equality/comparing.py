@@ -64,6 +64,8 @@ def between(a: Tree, b: Tree, box: Mapping[str, Domain], chance: bytes = b"") ->
         chance: What the points depend on.
     """
     pair = Pair(b, Formula(a, spread_over(tuple(box.items()), chance)), mutual=True)
+    if pair.smooth:
+        return pair.compared()
     found = pair.at_once() or (pair.compared() if not pair.turns or pair.values >= LEAST else None)
     if found is not None:
         return found

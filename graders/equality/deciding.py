@@ -10,6 +10,7 @@ from typing import Any
 
 from flint import arb, ctx
 
+from graders.judge import States
 from graders.language.balls import BALLS
 from graders.language.doubles import UndefinedError
 from graders.language.program import Program, Runner
@@ -18,6 +19,8 @@ from graders.states import Point
 PRECISIONS = (128, 256, 512, 1024, 2048, 4096)
 SETTLING = 256  # bits from which a ball that touches an edge counts as on it, and two zeros as equal
 SMALL = arb(2) ** -100  # 30 digits
+TINY = 2e-4  # of the values of a symbol: its powers count beyond 30 digits...
+TOLD, MOST_FINE = 8, 4096  # ...up to this one, as far as so many bits tell
 
 
 class Finding(StrEnum):
@@ -37,35 +40,36 @@ class Balls:
         program: The outputs are the reference and the answer.
         mutual: Whether a point where only the reference has no value tells the two apart as well.
         lines: Slots of the earlier names: where one of them has no value there is no state.
+        fine: Bits by which a difference may be less than 30 digits of the larger and still counts (`fineness`).
     """
 
-    __slots__ = ("known", "lines", "mutual", "program", "runners")
+    __slots__ = ("fine", "known", "lines", "mutual", "program", "runners")
 
-    def __init__(self, program: Program, mutual: bool, lines: Sequence[int] = ()) -> None:
-        self.program, self.mutual, self.lines = program, mutual, tuple(lines)
+    def __init__(self, program: Program, mutual: bool, lines: Sequence[int] = (), fine: int = 0) -> None:
+        self.program, self.mutual, self.lines, self.fine = program, mutual, tuple(lines), fine
         self.runners: dict[int, Runner] = {}
         self.known: dict[Point, Finding] = {}
 
     def at(self, point: Point) -> Finding:
         """Decide at a point; NOWHERE where it is no state: where the reference (if mutual: both) has no value."""
-        if point in self.known:
-            return self.known[point]
-        before = ctx.prec
-        try:
-            found = self.known[point] = self._at(point)
-        finally:
-            ctx.prec = before
+        found = self.known.get(point)
+        if found is None:
+            before = ctx.prec
+            try:
+                found = self.known[point] = self._at(point)
+            finally:
+                ctx.prec = before
         return found
 
     def _at(self, point: Point) -> Finding:
-        radius = math.inf
+        radius, share = math.inf, share_of(self.fine)
         for bits in PRECISIONS:
-            ctx.prec = bits
+            ctx.prec = bits + self.fine
             try:
-                right, typed = self.runner(bits).run(exactly(point))
+                right, typed = (self.runners.get(bits) or self.runner(bits)).run(exactly(point))
             except UndefinedError:
                 return self._one_sided(point)
-            found = zero(right, typed, bits)
+            found = zero(right, typed, bits, share)
             if found is not None:
                 return found
             now = float((right - typed).rad())
@@ -102,14 +106,34 @@ def exactly(point: Point) -> tuple[arb, ...]:
     return tuple(map(arb, point))
 
 
-def zero(right: Any, typed: Any, bits: int) -> Finding | None:
+def fineness(states: States) -> int:
+    """Give the bits by which two formulas are told apart beyond 30 digits where a symbol is next to nothing.
+
+    There `sin(x)` is `x` to any number of digits but for the cube of `x`: powers up to the eighth are told.
+    """
+    if not states.points[0] or min(map(abs, states.points[0])) > TINY:
+        return 0
+    sizes = (max(abs(domain.low), abs(domain.high)) for domain in states.box)
+    least = min((size for size in sizes if 0 < size < TINY), default=1.0)
+    return min(MOST_FINE, int(-TOLD * math.log2(least)))
+
+
+def share_of(fine: int) -> Any:
+    """Give the share of the larger below which a difference is none."""
+    return SMALL * arb(2) ** -fine if fine else SMALL
+
+
+def zero(right: Any, typed: Any, bits: int, small: Any = SMALL) -> Finding | None:
     """Decide whether two balls are equal relative to the larger; None asks for more precision."""
     difference = right - typed
-    if abs(difference) < abs(right) * SMALL:
+    size, share = abs(difference), abs(right) * small
+    if size < share:
         return Finding.EQUAL
     if not difference.is_finite():
         return None
-    if difference.abs_lower() > max(right.abs_upper(), typed.abs_upper()) * SMALL:
+    if size > share + share:  # so it is above the share of the typed one as well
+        return Finding.DIFFERENT
+    if difference.abs_lower() > max(right.abs_upper(), typed.abs_upper()) * small:
         return Finding.DIFFERENT
     if bits < SETTLING or right.abs_lower() > 0 or typed.abs_lower() > 0:
         return None

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from graders.equality.comparing import between, spread_over
-from graders.equality.deciding import PRECISIONS, Finding, exactly, zero
-from graders.equality.pair import FEW, MOST_TURNS, Comparison, Pair, few
+from graders.equality.deciding import PRECISIONS, Finding, exactly, fineness, share_of, zero
+from graders.equality.pair import EQUAL, FEW, MOST_TURNS, Comparison, Pair, few
 from graders.equality.steep import may_be_steep
 from graders.equality.turns import TURNING
 from graders.judge import Domain, Formula, States
@@ -17,7 +17,6 @@ from graders.language.tree import Tree
 
 ALL_TURNS = 64  # of a matrix that are searched, shared by its entries...
 LEAST_TURNS = 4  # ...but so many in each
-EQUAL = Comparison(Finding.EQUAL)
 
 
 def compare_entries(answers: Sequence[Tree], references: Sequence[Tree], states: States) -> list[Comparison]:
@@ -54,7 +53,8 @@ def _together(right: Sequence[Tree], typed: Sequence[Tree], states: States) -> l
     for name, line in states.lines:
         builder.define(name, line)
     sides = [builder.add(tree) for tree in right], [builder.add(tree) for tree in typed]
-    if any(name in TURNING or may_be_steep(name) for name, _ in builder.operations):
+    functions = {name for name, _ in builder.operations}
+    if not TURNING.isdisjoint(functions) or any(map(may_be_steep, functions)):
         return [None] * len(right)
     apart = [(at, one, other) for at, (one, other) in enumerate(zip(*sides, strict=True)) if one != other]
     found: list[Comparison | None] = [EQUAL] * len(right)
@@ -72,7 +72,7 @@ Values = list[tuple[tuple[float, ...], dict[int, object]]]
 
 def _values(program: Program, states: States) -> Values | None:
     """Give all outputs by their slots at a few points; None where one has no value."""
-    with precision(PRECISIONS[0]):
+    with precision(PRECISIONS[0] + fineness(states)):
         runner = Runner(program, BALLS)
         points = [point for point, _ in zip(few(states.points), range(FEW), strict=False)]
         try:
@@ -83,9 +83,11 @@ def _values(program: Program, states: States) -> Values | None:
 
 
 def _one(values: Values, one: int, other: int, states: States) -> Comparison | None:
-    with precision(PRECISIONS[0]):
+    fine = fineness(states)
+    share = share_of(fine)
+    with precision(PRECISIONS[0] + fine):
         for point, row in values:
-            finding = zero(row[one], row[other], PRECISIONS[0])
+            finding = zero(row[one], row[other], PRECISIONS[0], share)
             if finding is Finding.DIFFERENT:
                 return Comparison(finding, tuple(zip(states.names, point, strict=True)))
             if finding is None:

@@ -9,7 +9,7 @@ from itertools import islice
 from typing import NamedTuple
 
 from graders.equality.cases import Cases
-from graders.equality.deciding import PRECISIONS, Balls, Finding
+from graders.equality.deciding import PRECISIONS, Balls, Finding, fineness
 from graders.equality.probing import Row, Search, looks, open_turns
 from graders.equality.steep import may_be_steep, steep, summits
 from graders.equality.turns import TURNING, Turn, together, turning, turns
@@ -25,6 +25,7 @@ FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
 NEW = 8  # points with signs that were not met before, asked before anything more is searched
+FIRST = (0, INSIDE, INSIDE + 1, 1)  # points that are asked first: inside, two corners, inside
 OPEN = 4  # points that may stay unsettled
 MOST_TURNS = 16  # that are searched for their borders; more stay undecided where no difference is found
 LEAST_ASKED = 24  # points that balls settle, whatever they cost
@@ -42,6 +43,9 @@ class Comparison:
     witness: tuple[tuple[str, float], ...] = ()
 
 
+EQUAL = Comparison(Finding.EQUAL)
+
+
 class Place(NamedTuple):
     """A point for the balls: the signs of all turns there, and whether it is asked about even if these were seen."""
 
@@ -52,9 +56,8 @@ class Place(NamedTuple):
 
 def few(points: Sequence[Point]) -> Iterator[Point]:
     """Put a point inside, two corners and another inside in front: an analytic difference shows at any of them."""
-    first = [at for at in (0, INSIDE, INSIDE + 1, 1) if at < len(points)]
-    yield from (points[at] for at in first)
-    yield from (point for at, point in enumerate(points) if at not in first)
+    yield from (points[at] for at in FIRST if at < len(points))
+    yield from (point for at, point in enumerate(points) if at not in FIRST)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +96,7 @@ class Pair:
         functions = {name for name, _ in builder.operations}
         self.turning = not TURNING.isdisjoint(functions)
         self.smooth = not self.turning and not any(map(may_be_steep, functions))
-        self.balls = Balls(self.program, mutual, self.lines)
+        self.balls = Balls(self.program, mutual, self.lines, fineness(self.states))
         self._once = False
         self._early: Comparison | None = None
         self._turned: Turned | None = None
@@ -151,6 +154,8 @@ class Pair:
 
     def compared(self) -> Comparison:
         """Compare the two."""
+        if self.smooth:
+            return self._smooth()
         found = self.at_once() or self._at_summits()
         if found is not None or not self.turns:
             return found or self._smooth()
@@ -171,8 +176,16 @@ class Pair:
         points, turned = self.points[:CASES], self.turned
         if len(set(points)) < CASES or self.balls.at(points[0]) is not Finding.EQUAL:
             return None
-        cases = Cases(self.program, self.lines, points, turned.slots, turned.functions | turned.steep, self.mutual)
-        return Comparison(Finding.EQUAL) if cases.agree(self.balls.runner(PRECISIONS[0])) else None
+        cases = Cases(
+            self.program,
+            self.lines,
+            points,
+            turned.slots,
+            turned.functions | turned.steep,
+            self.mutual,
+            self.balls.fine,
+        )
+        return EQUAL if cases.agree(self.balls.runner(PRECISIONS[0])) else None
 
     def _at_summits(self) -> Comparison | None:
         """Give a difference that steep parts hide at most points."""
@@ -190,7 +203,7 @@ class Pair:
             if found is Finding.EQUAL:
                 settled += 1
                 if settled == FEW:
-                    return Comparison(found)
+                    return EQUAL
             elif found is Finding.UNDECIDED:
                 unsure += 1
                 if unsure > OPEN:

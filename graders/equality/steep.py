@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
+from functools import lru_cache
 from itertools import product
 
 from graders.equality.probing import look
@@ -29,6 +30,7 @@ def steep(program: Program, slots: Sequence[Interval]) -> frozenset[int]:
     )  # fmt: skip
 
 
+@lru_cache(maxsize=2048)
 def may_be_steep(name: str) -> bool:
     """Tell whether an operation is an exponential or a high power."""
     return name in STEEP or (name[:5] == "power" and int(name[5:]) >= HIGH)

@@ -139,7 +139,7 @@ def _around_zero(radicand: arb, degree: arb) -> arb:
 def _arc(y: arb, x: arb) -> arb:
     if y.is_zero() and x.is_zero():
         raise UndefinedError("no direction")
-    return arb.atan2(y, x)
+    return UNSURE if x.contains(0) and y.contains(0) else arb.atan2(y, x)
 
 
 def _tenths(x: arb) -> arb:

@@ -131,6 +131,8 @@ class _Reader:
             return self.macaulay()
         if piece[0].isdecimal():
             return _number(piece)
+        if self.symbols.calls(piece):
+            return self.call(piece)
         known = piece in self.nodes or not piece[0].isalpha()
         node = None if known else self.symbols.node(piece)
         return node or (PI if piece == "pi" else self.call(function_named(piece)))

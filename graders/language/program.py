@@ -14,6 +14,7 @@ from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number
 Operation: TypeAlias = tuple[str, tuple[int, ...]]
 
 UNARY = {"-": "negate", "°": "degrees"}
+MOST_POWER = 1000  # written as a whole number, that is a power of its own
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,18 +98,28 @@ class Builder:
             slot = self.defined.get(tree.name)
             return slot if slot is not None else self._named(tree.name)
         if isinstance(tree, Binary):
-            return self._binary(tree.operator, tree.left, tree.right)
+            operator, right = tree.operator, tree.right
+            if operator == "^" and isinstance(right, Number) and right.whole and int(right.digits) <= MOST_POWER:
+                return self._slot((f"power{int(right.digits)}", (self.add(tree.left),)))
+            return self._slot((operator, (self.add(tree.left), self.add(right))))
         if isinstance(tree, Number):
-            return self._literal(tree)
+            return self.literals.setdefault(tree, -1 - len(self.literals))
         if isinstance(tree, Call):
-            return self._call(tree.function, tree.arguments)
+            arguments = tree.arguments
+            if len(arguments) == 1:
+                return self._slot((tree.function, (self.add(arguments[0]),)))
+            return self._call(tree.function, arguments)
         if isinstance(tree, Unary):
-            slot = self.add(tree.operand)
-            return slot if tree.operator == "+" else self.apply(UNARY[tree.operator], slot)
+            inside = self.add(tree.operand)
+            return inside if tree.operator == "+" else self._slot((UNARY[tree.operator], (inside,)))
         return self._seldom(tree)
 
-    def _literal(self, number: Number) -> int:
-        return self.literals.setdefault(number, -1 - len(self.literals))
+    def _slot(self, operation: Operation) -> int:
+        slot = self.slots.get(operation)
+        if slot is None:
+            slot = self.slots[operation] = len(self.inputs) + len(self.operations)
+            self.operations.append(operation)
+        return slot
 
     def _named(self, name: str) -> int:
         if name != "pi":
@@ -127,23 +138,9 @@ class Builder:
 
     def apply(self, name: str, *arguments: int) -> int:
         """Add an operation on slots and return its own; equal operations share one."""
-        operation = (name, arguments)
-        slot = self.slots.get(operation)
-        if slot is None:
-            slot = self.slots[operation] = len(self.inputs) + len(self.operations)
-            self.operations.append(operation)
-        return slot
-
-    def _binary(self, operator: str, left: Tree, right: Tree) -> int:
-        if operator == "^" and isinstance(right, Number) and right.whole:
-            power = int(right.digits)
-            if power <= 1000:
-                return self.apply(f"power{power}", self.add(left))
-        return self.apply(operator, self.add(left), self.add(right))
+        return self._slot((name, arguments))
 
     def _call(self, function: str, arguments: tuple[Tree, ...]) -> int:
-        if len(arguments) == 1:
-            return self.apply(function, self.add(arguments[0]))
         slots = [self.add(a) for a in arguments]
         if function in ("min", "max"):
             while len(slots) > 1:

@@ -54,6 +54,9 @@ LONGEST_RUN, LONGEST_NAME = 12, 16  # names of a run, and letters of one
 MOST_NODES = 400  # spellings that are remembered
 
 
+_named = lru_cache(maxsize=4096)(Name)
+
+
 @lru_cache(maxsize=4096)
 def key(spelling: str) -> str:
     """Fold the spellings of one symbol: `α₁`, `alpha_1` and `alpha1` have one key, `R_A` and `RA` too."""
@@ -92,6 +95,7 @@ class Symbols:
         self._by_key: dict[str, str] = {}
         self.nodes: dict[str, Name | None] = {}
         for name in self.known:
+            self.nodes[name] = _named(name)
             other = self._by_key.setdefault(key(name), name)
             if other != name:
                 raise ValueError(f"symbols {other!r} and {name!r} cannot be told apart when typed")
@@ -106,6 +110,10 @@ class Symbols:
         found = self.find(spelling)
         node = Name(found) if found else None
         return self.nodes.setdefault(spelling, node) if len(self.nodes) < MOST_NODES else node
+
+    def calls(self, spelling: str) -> bool:
+        """Tell whether a spelling is the name of a function as it stands, and of no declared symbol."""
+        return spelling in FUNCTIONS and spelling not in self._by_key
 
     def typed(self, spelling: str) -> bool:
         """Tell whether a spelling means a declared symbol without a change of alphabet."""

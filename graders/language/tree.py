@@ -10,10 +10,16 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
+    from dataclasses import dataclass as node
     from fractions import Fraction
+else:
+
+    def node(*, frozen: bool, slots: bool) -> Callable[[type], type]:
+        """Make a class of nodes; mypy keeps them frozen, for a guard at every field makes reading twice as slow."""
+        return dataclass(slots=slots, unsafe_hash=frozen)
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Number:
     """An unsigned decimal as typed: digits with a point at most, and a power of ten."""
 
@@ -33,14 +39,14 @@ class Number:
         return not self.exponent and self.digits.isdigit() and len(self.digits) < 10
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Name:
     """A declared symbol, or `pi`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Unary:
     """A sign in front (`+`, `-`) or the degree sign behind (`°`)."""
 
@@ -48,7 +54,7 @@ class Unary:
     operand: Tree
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Binary:
     """One of `+ - * / ^`; `implicit` marks a product written by juxtaposition."""
 
@@ -58,7 +64,7 @@ class Binary:
     implicit: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Call:
     """A function of the language applied to its arguments."""
 
@@ -66,7 +72,7 @@ class Call:
     arguments: tuple[Tree, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Angle:
     """Degrees with minutes and seconds of arc: `12°22'12"`."""
 
@@ -75,14 +81,14 @@ class Angle:
     seconds: Number | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Grid:
     """A matrix literal, rows of equal length."""
 
     rows: tuple[tuple[Tree, ...], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Index:
     """One element of a matrix, row and column counted from 1."""
 
@@ -91,7 +97,7 @@ class Index:
     column: int
 
 
-@dataclass(frozen=True, slots=True)
+@node(frozen=True, slots=True)
 class Relation:
     """A chain `a = b`, `a < b <= c`; one operator fewer than sides."""
 

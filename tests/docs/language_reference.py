@@ -63,8 +63,8 @@ raised   = [ "⁻" ] ( "⁰" … "⁹" ) { "⁰" … "⁹" } ;
 - A chain of relations runs in one sense: `a < x < b`, not `a < x > b`. What looks like a bracket of Macaulay behind a
   factor is one: `a <b> + c` is a sum.
 - Where a task declares a rate `x_d` (`x_dd`), `ẋ` (`ẍ`), `x'` (`x''`) and `x_dot` (`x_ddot`) mean it.
-- Two formulas are one where they differ by less than a part in 10³⁰ of the larger: where all of the domain lies below
-  10⁻¹⁵, `sin(x)` is `x`.
+- Two formulas are one where they differ by less than a part in 10³⁰ of the larger. Where a symbol never exceeds
+  2·10⁻⁴ its powers up to the eighth still count, however small: `sin(x)` is never `x`.
 - `a/2b` is asked about; `1/2 a` is half of a. `sin^-1 x` is asked about. `2 1/2` is asked about: a sum or a product?
 - A Macaulay bracket `<u>^n` is 0 before u = 0 and u^n behind; n is a whole number from 0, and -1 and -2 stand for a
   force and a moment at a point. Behind a factor `F<x-a>^1` is a product, and so is `F<x-a>` in a sum.

@@ -30,8 +30,19 @@ def found(a: str, b: str, /, **box: tuple[float, float]) -> Finding:
 
 
 def test_less_than_a_part_in_ten_to_the_thirty_is_no_difference() -> None:
-    assert found("sin(x)", "x", x=(0, 1e-15)) is Finding.EQUAL
-    assert found("sin(x)", "x", x=(0, 1e-14)) is Finding.DIFFERENT
+    third = f"0.{31 * '3'}"
+    assert found(f"{third}*x", "x/3", x=(0, 1)) is Finding.EQUAL
+    assert found(f"{third[:-2]}*x", "x/3", x=(0, 1)) is Finding.DIFFERENT
+
+
+@pytest.mark.parametrize("size", [1e-4, 1e-8, 1e-15, 1e-30])
+@pytest.mark.parametrize(
+    ("a", "b"), [("sin(x)", "x"), ("cos(x)", "1 - x^2/2"), ("sin(x)", "x - x^3/6 + x^5/120 - x^7/5040"), ("l + x", "l")]
+)
+def test_a_symbol_next_to_nothing_makes_no_two_formulas_one(a: str, b: str, size: float) -> None:
+    assert found(a, b, x=(-size, size), l=(1, 2)) is Finding.DIFFERENT
+    assert found(f"{a} + abs(x)", f"{b} + abs(x)", x=(-size, size), l=(1, 2)) is Finding.DIFFERENT
+    assert found(f"2*({a})", f"{a} + {a}", x=(-size, size), l=(1, 2)) is Finding.EQUAL
 
 
 @pytest.mark.parametrize(

@@ -78,6 +78,19 @@ def test_what_is_equal_is_never_called_different(a: str, b: str) -> None:
     assert {one.finding for one in found(a, b)} <= {Finding.EQUAL, Finding.UNDECIDED}
 
 
+@pytest.mark.parametrize(
+    "nowhere",
+    [
+        "atan2(acos(cos(z)) - abs(z); 0)",
+        "atan2(0; acos(cos(z)) - abs(z))",
+        "atan2(x - abs(x); sin(z)^2 + cos(z)^2 - 1)",
+    ],
+)
+def test_an_angle_without_a_direction_is_never_a_value(nowhere: str) -> None:
+    assert {one.finding for one in found(f"r + 0*{nowhere}", "r")} & {Finding.EQUAL} == set()
+    assert verdict("equation", f"z = r + 0*{nowhere}", "z = r") != "equal"
+
+
 def test_a_branch_that_is_neither_found_nor_excluded_leaves_the_pair_open() -> None:
     assert {one.finding for one in found("r + max(0; sin(300*x)*sin(200*y) - 0.9999)", "r")} == {Finding.UNDECIDED}
 
