@@ -168,6 +168,7 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/sets/{task_set}"): SET_LECTURER,
     ("POST", "/sets/{task_set}/items/{number}"): SET_STUDENT,
     ("POST", "/sets/{task_set}/extend"): SET_LECTURER,
+    ("POST", "/sets/{task_set}/students/{person}/time"): SET_LECTURER,
     ("POST", "/sets/{task_set}/copy"): SET_LECTURER,
     ("POST", "/sets/{task_set}/sheets"): SET_LECTURER,
     ("POST", "/api/v1/task-sets/{task_set}/sheets"): SET_LECTURER,

@@ -91,6 +91,8 @@ def _cells(line: str, delimiter: str) -> list[str]:
 
 
 def _row(cells: Sequence[str], before: Sequence[Row]) -> Row:
+    if any(cells[3:]):
+        raise Refused(422, "many_columns")
     login = login_of(cells[0])
     name = name_of(cells[1] if len(cells) > 1 else "")
     group = " ".join(cells[2].split()) if len(cells) > 2 else ""

@@ -25,6 +25,7 @@ from server.marks.gradebook import Gradebook
 from server.marks.history import history
 from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
+from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.receipts import whole
 from server.sets import clock
@@ -101,9 +102,12 @@ async def show_course(course: str, request: Request, bench: Tools, reader: Askin
 async def show_student(task_set: str, person: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show a student's work in a set as the student saw it, with the forms to mark it."""
     found = await history(bench, await set_of(bench, reader, task_set), person)
+    given = await bench.sets.accommodations(task_set)
     context = {
         "task_set": await set_of(bench, reader, task_set),
         "found": found,
+        "lecturer": here(reader).role is CourseRole.LECTURER,
+        "reason": given.get(person, (0, ""))[1],
         "verdicts": verdicts_of,
         "whole": whole,
     }

@@ -136,10 +136,7 @@ async def list_accommodations(task_set: str, bench: Tools, reader: Asking) -> li
 @router.put("/task-sets/{task_set}/accommodations/{person}", responses=HERE)
 async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> GivenTime:
     """Give a student more time; it moves the deadlines and the time limit, also of work under way."""
-    if await bench.courses.role(here(reader).course.id, person) != "student":
-        raise Refused(404, "unknown_member")
-    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set, minutes=body.minutes)
-    await bench.sets.accommodate(task_set, person, body.minutes, body.reason, entry)
+    await more_time(bench, reader, task_set, person, body)
     return GivenTime(person=person, minutes=body.minutes, reason=body.reason)
 
 
@@ -210,6 +207,18 @@ async def print_class(
     number = await printed(bench, reader, await set_of(bench, reader, task_set), body.most if body else None)
     response.headers["Location"] = f"/api/v1/jobs/{number}"
     return await shown_job(bench, number)
+
+
+async def more_time(bench: Bench, reader: Reader, task_set: str, person: str, given: MoreTime) -> None:
+    """Give a student of the course more time in a set.
+
+    Raises:
+        Refused: 404, the person is no student of the course.
+    """
+    if await bench.courses.role(here(reader).course.id, person) != "student":
+        raise Refused(404, "unknown_member")
+    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set, minutes=given.minutes)
+    await bench.sets.accommodate(task_set, person, given.minutes, given.reason, entry)
 
 
 async def printed(bench: Bench, reader: Reader, task_set: TaskSet, most: int | None) -> str:

@@ -6,12 +6,20 @@ from collections.abc import Mapping
 from typing import Any
 from zoneinfo import ZoneInfo
 
+from server.errors import Refused
+from server.language import say, words
 from server.sets.building import MOST_SLOTS
 from server.sets.clock import local
 from server.sets.handing import rules_of
+from server.sets.rules import Rules
 from server.storage.sets import TaskSet
 
 MOMENTS = ("opens", "due", "closes")
+OF_SLOT = ("pool", "points", "attempts", "limits")
+OF_SET = (
+    "title", *MOMENTS, "mode", "minutes", "late", "late_loss", "keep", "hints", "hint_price", "solutions",
+    "follow_through", "second_chance_of", "add",
+)  # fmt: skip
 
 
 def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
@@ -28,13 +36,55 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
         for slot in task_set.slots
     ]
     shown = {name: local(moment, place) if moment else "" for name, moment in moments.items()}
-    return {**shown, "title": task_set.title, "rules": rules_of(task_set), "slots": slots}
+    return {**shown, **_written(rules_of(task_set)), "title": task_set.title, "add": "", "slots": slots}
+
+
+def _written(rules: Rules) -> dict[str, Any]:
+    """Give the fields of the rules; shares are written in percent."""
+    return {
+        **{name: getattr(rules, name) for name in ("mode", "late", "keep", "solutions")},
+        **{name: 100 * getattr(rules, name) for name in ("late_loss", "hint_price", "follow_through")},
+        **{name: getattr(rules, name) or "" for name in ("minutes", "second_chance_of")},
+        "hints": "ladder" if rules.ladder else "yes" if rules.hints else "no",
+    }
+
+
+def typed(values: Mapping[str, str]) -> dict[str, Any]:
+    """Give the values of the form as they were typed, for it to be shown again."""
+    slots = [
+        {"number": number, **{name: values.get(f"slot.{number}.{name}", "") for name in OF_SLOT}}
+        for number in _numbers(values)
+    ]
+    return {name: values.get(name, "") for name in OF_SET} | {"slots": slots}
+
+
+def problem(language: str, refused: Refused) -> str:
+    """Word why the form cannot be taken, with the field as the form calls it."""
+    if refused.said:
+        return refused.said
+    place = _label(language, refused.field or "")
+    if "name" in refused.values:
+        return say(language, f"errors.{refused.code}", **refused.values | {"name": place})
+    return ": ".join(filter(None, (place, say(language, f"errors.{refused.code}", **refused.values))))
+
+
+def _label(language: str, field: str) -> str:
+    """Name a field such as `items.0.points` or `rules.late_loss`; what the form has no word for is named as typed."""
+    first, *rest = field.split(".")
+    if first == "items" and rest:
+        return ", ".join(
+            [say(language, "sets.slot", number=int(rest[0]) + 1), *(_word(language, n) for n in rest[1:2])]
+        )
+    return _word(language, (rest or [first])[0])
+
+
+def _word(language: str, name: str) -> str:
+    return words(language).get(f"sets.{name}", name)
 
 
 def draft_of_form(values: Mapping[str, str]) -> dict[str, Any]:
     """Read the form; what is not as it should be stays as it is, for the schema to refuse by name."""
-    numbers = [number for number in range(1, MOST_SLOTS + 1) if f"slot.{number}.pool" in values]
-    order = _moved(numbers, values.get("move", ""))
+    order = _moved(_numbers(values), values.get("move", ""))
     items = [_item(values, number) for number in order if values.get("remove") != str(number)]
     added = values.get("add", "")
     items += [{"exercise": added}] if added else []
@@ -56,6 +106,10 @@ def draft_of_form(values: Mapping[str, str]) -> dict[str, Any]:
         },
         **moments,
     }
+
+
+def _numbers(values: Mapping[str, str]) -> list[int]:
+    return [number for number in range(1, MOST_SLOTS + 1) if f"slot.{number}.pool" in values]
 
 
 def _moved(numbers: list[int], wish: str) -> list[int]:

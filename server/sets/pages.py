@@ -16,15 +16,16 @@ from server import forms
 from server.audit import actor_of
 from server.bench import Bench, Tools
 from server.courses import here
-from server.errors import Refused
+from server.errors import Refused, printable, wants_page
 from server.exercises import sample
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import building, clock, publishing
-from server.sets.api import copied, listed, own_variant, printed, published, set_of, slot_of
+from server.sets.api import copied, listed, more_time, own_variant, printed, published, set_of, slot_of
 from server.sets.building import Draft
-from server.sets.form import draft_of_form, written
+from server.sets.form import draft_of_form, problem, typed, written
 from server.sets.previewing import preview
+from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
 from server.storage.sets import PUBLISHING, TaskSet
 from server.templating import page
@@ -79,13 +80,25 @@ async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking
     revision = values.get("revision", "")
     if not (revision.isascii() and revision.isdecimal() and len(revision) < 10):
         raise Refused(422, "out_of_range", field="revision", name="revision")
-    draft = _checked(draft_of_form(values))
-    new = await building.change(bench, old, here(reader).course, draft, int(revision))
-    if values.get("then") == "publish":
-        job = await published(bench, reader, new, PATIENCE)
-        if job.live:
-            return RedirectResponse(f"/jobs/{job.id}", 303)
-    return RedirectResponse(f"/sets/{new.id}", 303)
+    try:
+        new = await building.change(bench, old, here(reader).course, _checked(draft_of_form(values)), int(revision))
+        old = new
+        job = await published(bench, reader, new, PATIENCE) if values.get("then") == "publish" else None
+    except Refused as refused:
+        if refused.status_code != 422 or not wants_page(request):
+            raise
+        return await _builder(request, bench, reader, old, typed=typed(values), refused=refused)
+    return RedirectResponse(f"/jobs/{job.id}" if job and job.live else f"/sets/{new.id}", 303)
+
+
+@router.post("/sets/{task_set}/students/{person}/time")
+async def give_time(task_set: str, person: str, request: Request, bench: Tools, reader: Asking) -> Response:
+    """Give a student more time and go back to that student's work."""
+    values = (await forms.read(request)).values
+    minutes = _whole(values.get("minutes", ""), "minutes", 0, 100_000)
+    reason = printable(values.get("reason", "").strip())
+    await more_time(bench, reader, task_set, person, MoreTime(minutes=minutes, reason=reason))
+    return RedirectResponse(f"/sets/{task_set}/students/{person}", 303)
 
 
 @router.post("/sets/{task_set}/items/{number}")
@@ -163,13 +176,18 @@ def _common(reader: Reader) -> dict[str, Any]:
 
 
 async def _builder(
-    request: Request, bench: Bench, reader: Reader, found: TaskSet, number: int, seed: int, table: bool
-) -> HTMLResponse:
+    request: Request, bench: Bench, reader: Reader, found: TaskSet, number: int = 1, seed: int = 1, table: bool = False,
+    typed: Mapping[str, Any] | None = None, refused: Refused | None = None,
+) -> HTMLResponse:  # fmt: skip
+    """Show the builder; after a refusal with what was typed, and why it cannot be taken."""
     slot = found.slots[min(number, len(found.slots)) - 1] if found.slots else None
     place = clock.zone(here(reader).course.time_zone)
     context = {
         "task_set": found,
-        "written": written(found, place),
+        "written": typed or written(found, place),
+        "problem": problem(reader.language, refused) if refused else None,
+        "wait": None,
+        "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "seen_deadlines": building.deadlines([found]),
         "job": await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None,
@@ -180,7 +198,13 @@ async def _builder(
         "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table) if slot else None,
         "catalogue": [(one, await title_of(bench, one, reader.language)) for one in catalogue.ids()],
     }
-    return page(request, reader.language, "builder.html", context | _common(reader))
+    status = refused.status_code if refused else 200
+    return page(request, reader.language, "builder.html", context | _common(reader), status=status)
+
+
+def _may_be_first(one: TaskSet, second: TaskSet) -> bool:
+    """Whether a set may be the one to which another is a second chance."""
+    return one.id != second.id and one.published is not None and not one.rules["second_chance_of"]
 
 
 async def title_of(bench: Bench, exercise: str, language: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from exercises import presenting
+from exercises.givens import domains
 from exercises.grading import reference
 from exercises.variants import MAX_SEED, deal
 
@@ -22,20 +23,31 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """A variant as a student sees it, and the seeds that follow."""
+    """A variant as a student sees it, the domains of its givens as limits are written, and the seeds that follow."""
 
     exercise: str
     shown: presenting.Presented
+    domains: tuple[str, ...]
     prompts: tuple[str, ...]
     rows: tuple[Row, ...]
 
 
 def preview(exercise: str, seed: int, language: str, table: bool) -> Seen:
     """Show a seed of an exercise; with a table, twenty from this one on."""
-    shown = presenting.presented(deal(exercise, seed), language)
+    variant = deal(exercise, seed)
+    shown = presenting.presented(variant, language)
+    limits = tuple(
+        f"{name} {_plain(one.low, language)} {_plain(one.high, language)}"
+        for name, one in domains(variant.givens).items()
+    )
     seeds = range(seed, min(seed + ROWS, MAX_SEED + 1)) if table else ()
     prompts = tuple(field.prompt_text for field in shown.answers.values())
-    return Seen(exercise, shown, prompts, tuple(_row(exercise, one, language) for one in seeds))
+    return Seen(exercise, shown, limits, prompts, tuple(_row(exercise, one, language) for one in seeds))
+
+
+def _plain(value: float, language: str) -> str:
+    text = f"{value:.4g}"
+    return text if language == "en" else text.replace(".", ",")
 
 
 def _row(exercise: str, seed: int, language: str) -> Row:

@@ -136,6 +136,8 @@ def test_administrators_check_the_chain_and_are_told_where_it_breaks(school: Sch
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_act_is_worded(language: str) -> None:
     assert [action for action in Action if f"audit.{action.value}" not in words(language)] == []
+    told = ("raised", "lowered", "withheld", "reworded", "recomputed", "minutes", "from", "days", "cards", "students")
+    assert [name for name in told if f"audit.detail_{name}" not in words(language)] == []
 
 
 def test_two_servers_write_one_chain(database: Database) -> None:

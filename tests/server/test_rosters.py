@@ -50,6 +50,12 @@ def test_a_quotation_mark_out_of_place_swallows_no_student(name: str) -> None:
     assert [one.line for one in unread] == [1] * (2 - len(rows)) and len(rows) == 1 + (name == 'Anna "')
 
 
+def test_a_name_in_two_columns_is_not_taken_for_a_group() -> None:
+    rows, unread = rosters.read("1001;Nowak;Anna;B\n1002;Jan Nowak;B;\n1003;Ewa Lis;B;;")
+    assert [row.login for row in rows] == ["1002", "1003"]
+    assert [(one.line, one.code) for one in unread] == [(1, "many_columns")]
+
+
 def test_a_file_shows_what_will_change_and_changes_nothing(school: School) -> None:
     lecturer = school.browser("lecturer")
     status, page = send(lecturer, school, (POLISH + "student;Ktoś Inny;\r\n").encode("cp1250"))

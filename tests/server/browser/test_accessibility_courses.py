@@ -14,10 +14,11 @@ from tests.server.browser.conftest import watched
 from tests.server.browser.walking import follow, width
 from tests.server.conftest import Live
 from tests.server.school import CODE
-from tests.server.sets.conftest import Course, made, moment
+from tests.server.sets.conftest import EXERCISE, Course, made, moment
 from tests.server.stores import lay
 
 COOKIE = "grubler_session"
+TASK = {"exercise": EXERCISE, "points": 10, "attempts": 2}
 PEOPLE = ("administrator", "lecturer", "student")
 
 
@@ -39,7 +40,7 @@ def filled(course: Course) -> dict[str, str]:
     new = {"code": CODE, "login": "2001", "name": "Olga", "password": "a lever and a place"}
     assert school.browser().post("/api/v1/join", json=new).status_code == 201
     link = lecturer.post(f"{place}/members/{school.people['leaver']}/link").json()["link"]
-    draft, number = course.built(title="Draft of set 5", due=moment(days=7)), course.published(title="Set 4")
+    draft, number = course.built(title="Draft of set 5", due=moment(days=7), items=[TASK] * 2), course.published()
     variant = course.variant(number)
     course.hand_in(variant, {"l3": "1 mm"})
     course.student.post(f"/api/v1/variants/{variant}/problems", json={"text": "The figure and the text disagree."})
@@ -47,6 +48,7 @@ def filled(course: Course) -> dict[str, str]:
     home = f"/courses/{school.course}"
     return {
         "course": home, "sets": f"{home}/sets", "log": f"{home}/audit", "draft": f"/sets/{draft}",
+        "work": f"/sets/{number}/students/{school.people['student']}",
         "set": f"/sets/{number}", "person": f"/people/{school.people['student']}",
         "link": link.removeprefix(school.bench.settings.address),
     }  # fmt: skip
@@ -83,6 +85,17 @@ def fresh_link(page: Page) -> None:
     page.wait_for_selector("[role=status] code")
 
 
+def refused_draft(page: Page) -> None:
+    page.fill("[name='slot.2.points']", "many")
+    follow(page, "button[name=then]")
+    page.wait_for_selector("[role=alert]")
+
+
+def extra_time(page: Page) -> None:
+    page.click("details:has(form[action$='/time']) > summary")
+    page.wait_for_selector("#minutes")
+
+
 def refused_sign_in(page: Page) -> None:
     page.fill("#login", "student")
     page.fill("#password", "wrong")
@@ -102,6 +115,8 @@ STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
     "reports": ("lecturer", "/problems", None),
     "sets": ("lecturer", "sets", None),
     "builder": ("lecturer", "draft", None),
+    "refused builder": ("lecturer", "draft", refused_draft),
+    "work of a student": ("lecturer", "work", extra_time),
     "published set": ("lecturer", "set", None),
     "course of a student": ("student", "course", None),
     "sets of a student": ("student", "sets", None),

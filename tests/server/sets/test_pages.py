@@ -151,6 +151,74 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
     assert course.lecturer.post(path, data=wrong).json()["error"]["field"] == "items.0.attempts"
 
 
+@pytest.mark.parametrize(
+    ("language", "changes", "said"),
+    [
+        ("en", {"slot.1.pool": f"{EXERCISE} nonsense"}, "Task 1, nonsense: There is no such exercise."),
+        ("pl", {"slot.1.points": "dużo"}, "Wartość pola Zadanie 1, Punkty ma zły typ"),
+        ("ru", {"late_loss": "150"}, "Потеря за день"),
+        ("en", {"due": "2026-03-29T02:30"}, "The value of Due is no moment"),
+        ("pl", {"opens": "2030-02-01T12:00", "due": "2030-01-31T12:00"}, "Termin: Zestaw musi się otworzyć"),
+        ("en", {"then": "publish", "slot.1.limits": "l1 90 91"}, "Task 1: the limits on givens accept 0 of 1000"),
+    ],
+)
+def test_what_the_builder_cannot_take_is_told_beside_all_that_was_typed(
+    course: Course, language: str, changes: dict[str, str], said: str
+) -> None:
+    path, browser = started(course), {"accept": "text/html"}
+    page = saved(course.lecturer, path, add=EXERCISE)
+    values = fields(page.text) | {"title": "Zestaw z <błędem>", "hints": "ladder", "minutes": "45"} | changes
+    reply = course.lecturer.post(f"{path}?lang={language}", data=values, headers=browser)
+    assert reply.status_code == 422 and said in unescape(reply.text) and 'role="alert"' in reply.text
+    kept = fields(reply.text)
+    assert {name: kept[name] for name in values if name not in ("then", "revision")} == {
+        name: value for name, value in values.items() if name not in ("then", "revision")
+    }
+    repaired = kept | {"title": "Set 8", **fields(page.text), "revision": kept["revision"]}
+    assert course.lecturer.post(path, data=repaired).status_code == 303
+
+
+def test_the_set_of_the_first_chance_is_chosen_by_its_title(course: Course) -> None:
+    first, page = course.published(title="First chance <1>"), started(course)
+    form = course.lecturer.get(page).text
+    assert f'<option value="{first}">First chance &lt;1&gt;</option>' in form
+    assert f'<option value="{page.rsplit("/", 1)[1]}"' not in form
+    chosen = saved(course.lecturer, page, second_chance_of=first)
+    assert f'<option value="{first}" selected>' in chosen.text
+    other = started(course)
+    assert f'<option value="{page.rsplit("/", 1)[1]}"' not in course.lecturer.get(other).text
+
+
+def test_extra_time_is_given_on_the_page_of_a_student_and_taken_back(course: Course) -> None:
+    number, person = course.published(), course.school.people["student"]
+    page, given = f"/sets/{number}/students/{person}", f"/api/v1/task-sets/{number}/accommodations"
+    for minutes in ("30", "0"):
+        reply = course.lecturer.post(f"{page}/time", data={"minutes": minutes, "reason": "<dyslexia>"})
+        assert (reply.status_code, reply.headers["location"]) == (303, page)
+        assert (
+            course.lecturer.get(given).json()
+            == [{"person": person, "minutes": int(minutes), "reason": "<dyslexia>"}][: int(minutes)]
+        )
+        shown = course.lecturer.get(f"{page}?lang=en").text
+        assert ("extra time: 30 min" in shown, 'value="&lt;dyslexia&gt;"' in shown) == (minutes == "30",) * 2
+    for minutes in ("-1", "x", "", "100001"):
+        assert course.lecturer.post(f"{page}/time", data={"minutes": minutes}).status_code == 422
+    lecturer = course.school.people["lecturer"]
+    assert course.lecturer.post(f"/sets/{number}/students/{lecturer}/time", data={"minutes": "5"}).status_code == 404
+    assistant = course.school.browser("assistant")
+    assert assistant.post(f"{page}/time", data={"minutes": "5"}).status_code == 403
+    form = f'action="{page}/time"'
+    assert form in course.lecturer.get(page).text and form not in assistant.get(page).text
+
+
+def test_the_preview_tells_which_givens_can_be_limited_and_how(course: Course) -> None:
+    page = f"/sets/{course.built()}"
+    for language, said in (("en", "l1 0.04 0.12; l2 0.1 0.6;"), ("pl", "l1 0,04 0,12; l2 0,1 0,6;")):
+        assert said in course.lecturer.get(f"{page}?lang={language}").text
+    typed = fields(course.lecturer.get(f"{page}?lang=pl").text) | {"slot.1.limits": "l1 0,04 0,12; l2 0,1 0,6"}
+    assert course.lecturer.post(page, data=typed).status_code == 303
+
+
 def test_deadlines_move_and_sets_are_copied_from_the_page(course: Course) -> None:
     number = course.published()
     before = course.lecturer.get(f"/api/v1/task-sets/{number}").json()["due"]

@@ -76,6 +76,7 @@ def test_what_stands_against_publishing_is_told_by_the_job_and_no_card_stays(cou
     assert (found["state"], found["result"]["troubles"][0]["code"]) == ("failed", "limits")
     page = course.lecturer.get(f"/jobs/{found['id']}?lang=en").text
     assert "Task 1" in page and f'href="/sets/{number}"' in page
+    assert "<progress" not in page and "drawn and checked" not in page
     assert course.lecturer.get(f"/api/v1/task-sets/{number}").json()["state"] == "draft"
     assert course.school.portal.call(course.school.bench.sets.deck, number) == []
 
