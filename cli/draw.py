@@ -84,7 +84,7 @@ def _lines(shown: Presented, lang: str, right: dict[str, str] | None) -> Iterato
             "unit": field.unit_text,
             "tolerance": field.tolerance_text,
             "symbols": ", ".join(field.symbols),
-            "options": ", ".join(key for key, _ in field.options),
+            "options": ", ".join(f"{key} ({text})" if text != key else key for key, text in field.options_text),
         }
         notes = [say(lang, key, **{key: value}) for key, value in said.items() if value]
         if notes:

@@ -120,9 +120,22 @@ def _read(solved: Solved, name: str, text: str) -> Any:
     if not text.strip():
         return EMPTY
     try:
-        return solved.answers[name].parse(text, solved.symbols(name))
+        return solved.answers[name].parse(_option(solved, name, text), solved.symbols(name))
     except AnswerSyntaxError as error:
         return unreadable(error)
+
+
+def _option(solved: Solved, name: str, text: str) -> str:
+    """Give the name of an option whose words were typed, in any language; any other text as it is."""
+    if solved.answers[name].kind != "choice":
+        return text
+    said = _said(text)
+    worded = [words["choices"][name] for words in catalogue.load(solved.variant.exercise).words.values()]
+    return next((option for words in worded for option, label in words.items() if _said(label) == said), text)
+
+
+def _said(text: str) -> str:
+    return " ".join(text.casefold().replace("ё", "е").strip(" .").split())
 
 
 def _judge(solved: Solved, read: Mapping[str, Any]) -> Judged:

@@ -46,6 +46,7 @@ class Field:
     columns: int
     column_units: tuple[str, ...]
     options: tuple[tuple[str, str], ...]
+    options_text: tuple[tuple[str, str], ...]
     weight: float
     shape: Mapping[str, Any] = field(default_factory=dict)  # all that the judge says of its field
 
@@ -122,6 +123,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         columns=described.get("columns", 0),
         column_units=tuple(printed_unit(unit, lang) for unit in described.get("units", ())),
         options=tuple((key, inline(options[key])) for key in described.get("options", ())),
+        options_text=tuple((key, plain(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
         shape=_shape(described, lang),
     )

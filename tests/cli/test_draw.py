@@ -33,6 +33,11 @@ def test_a_variant_is_shown_whole_in_each_language(
         assert f"{name}: {field['prompt']}" in out and field["tolerance"] in out
 
 
+def test_an_option_is_shown_with_its_words(capsys: pytest.CaptureFixture[str]) -> None:
+    drawn = run(capsys, "draw", "stepped_shaft", "--seed", "7", "--lang", "pl")[1]
+    assert "strength (warunek wytrzymałości), stiffness (warunek sztywności)" in drawn
+
+
 def test_without_being_asked_no_reference_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     with_it = run(capsys, "draw", "slider_crank", "--seed", "3", "--with-reference")[1]
     without = run(capsys, "draw", "slider_crank", "--seed", "3")[1]

@@ -93,3 +93,12 @@ def test_a_line_of_a_member_may_name_the_member_before() -> None:
 
 def test_the_kinds_of_the_meshes_are_listed_in_order() -> None:
     assert kinds((Input(20), Mesh(30, "external"), Coupled(15), Coaxial("internal"))) == ["external", "internal"]
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_the_sense_may_be_typed_in_the_words_of_its_options(lang: str) -> None:
+    variant, words = dealt(Input(20), Mesh(50, "external")), presenting.words_of("gear_train", lang)["choices"]["sense"]
+    for text in (words["opposite"], f" {words['opposite'].upper()}. "):
+        assert grade(Submission(variant, {"sense": text})).verdicts["sense"].outcome is Outcome.RIGHT
+    assert grade(Submission(variant, {"sense": words["same"]})).verdicts["sense"].outcome is Outcome.WRONG
+    assert grade(Submission(variant, {"sense": words["same"] + "?"})).verdicts["sense"].outcome is Outcome.UNREADABLE
