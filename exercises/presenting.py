@@ -46,8 +46,8 @@ class Field:
     columns: int
     column_units: tuple[str, ...]
     options: tuple[tuple[str, str], ...]
-    options_text: tuple[tuple[str, str], ...]
     weight: float
+    options_text: tuple[tuple[str, str], ...] = ()
     shape: Mapping[str, Any] = field(default_factory=dict)  # all that the judge says of its field
 
 

@@ -11,25 +11,46 @@ PI = Name("pi")
 
 
 def is_angle(tree: Tree, asked: bool = True) -> bool:
-    """Tell whether a constant is an angle in radians: `30°`, `2*asin(0.2)`, not `cos(30°)`, not `asin(0.2)*180/pi`.
+    """Tell whether a constant is an angle in radians: `30°`, `2*asin(0.2)`, `pi/6`, not `cos(30°)`, `0.2*180/pi`.
 
     Args:
         tree: The constant.
         asked: Whether an angle is asked for; elsewhere a product may be an arc, and an inverse function its factor.
     """
+    return (asked and _power_of_pi(tree) == 1) or _turned(tree, asked)
+
+
+def _turned(tree: Tree, asked: bool = True) -> bool:
     match tree:
         case Angle() | Unary(operator="°"):
             return True
         case Unary(operand=operand):
-            return is_angle(operand, asked)
+            return _turned(operand, asked)
         case Call(function=function):
             return asked and function in INVERSE
         case Binary(operator=("+" | "-"), left=left, right=right):
-            return is_angle(left, asked) or is_angle(right, asked)
+            return _turned(left, asked) or _turned(right, asked)
         case Binary(operator=("*" | "/"), left=left, right=right) if asked:
-            turned = is_angle(left), is_angle(right)
+            turned = _turned(left), _turned(right)
             return any(turned) and PI not in walk(left if turned[1] else right)
     return False
+
+
+def _power_of_pi(tree: Tree) -> int | None:
+    """Give the power of pi that multiplies a constant: 1 for `3*pi/4`, -1 for `0.2*180/pi`; None for a mixed sum."""
+    match tree:
+        case Name(name="pi"):
+            return 1
+        case Unary(operator=("+" | "-"), operand=operand):
+            return _power_of_pi(operand)
+        case Binary(operator=("*" | "/" | "+" | "-") as operator, left=left, right=right):
+            one, other = _power_of_pi(left), _power_of_pi(right)
+            if one is None or other is None:
+                return None
+            if operator in "+-":
+                return one if one == other else None
+            return one + other if operator == "*" else one - other
+    return 0
 
 
 def without_last_degree(tree: Tree) -> Tree | None:
@@ -46,7 +67,7 @@ def _bare_end(tree: Tree) -> Tree | None:
         case Unary(operand=operand):
             end = _bare_end(operand)
             return end and replace(tree, operand=end)
-        case Binary(operator=("+" | "-" | "*" | "/"), right=right):
+        case Binary(operator=("+" | "-" | "*" | "/" | "^"), right=right):
             end = _bare_end(right)
             return end and replace(tree, right=end)
     return None

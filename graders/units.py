@@ -15,6 +15,7 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.proposals import nearest
 from graders.language.symbols import DEGREES, LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.tokens import SAME, SPACES
+from graders.unit_words import PER, words
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +58,6 @@ PREFIXES = {
 RUN_TOGETHER = (("N", ("m", "cm", "mm")), ("Н", ("м", "см", "мм")))  # kNm is kN·m, and kNm² is kN·m²
 PLAIN = {
     **dict.fromkeys(("°", *DEGREES), _unit(math.pi / 180, angle=1)),
-    **dict.fromkeys(("radian", "radians", "radianów", "радиан", "радиана"), _unit(1, angle=1)),
     **dict.fromkeys(("'", "arcmin"), _unit(math.pi / 10800, angle=1)),
     **dict.fromkeys(('"', "arcsec"), _unit(math.pi / 648000, angle=1)),
     **dict.fromkeys(("obr", "об", "rev", "turn"), _unit(TURN, angle=1, tag="turn")),
@@ -67,6 +67,7 @@ PLAIN = {
     **dict.fromkeys(("t", "т"), _unit(1e3, 0, 1)),
     **dict.fromkeys(("sec", "sek", "сек"), _unit(1, 0, 0, 1)),
     **dict.fromkeys(("K", "К"), _unit(1, heat=1)),
+    **dict.fromkeys(("kgf", "кгс"), _unit(9.80665, 1, 1, -2)),
     "bar": _unit(1e5, -1, 1, -2), "бар": _unit(1e5, -1, 1, -2),
     "%": _unit(1e-2), "in": _unit(0.0254, 1), "1": NONE,
 }  # fmt: skip
@@ -89,6 +90,8 @@ def _compounds(table: dict[str, Unit]) -> dict[str, tuple[Unit, Unit]]:
 
 TABLE = _table()
 COMPOUNDS = _compounds(TABLE)
+WORDS = dict(words())
+WHOLE = {"r/min": "rpm"}  # a lone r may be rad as well
 TO_CYRILLIC = str.maketrans({latin: cyrillic for cyrillic, latin in LOOK_ALIKES.items()})
 PIECE = re.compile(
     r"(?P<name>[^\W\d_²³¹⁰ⁱ-₉]+|[°'\"%])|(?P<number>\d+)|(?P<raised>⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<mark>\*\*|[-*/^().])"
@@ -105,7 +108,7 @@ def read_unit(text: str) -> Unit:
     if len(text) > LONGEST:
         raise AnswerSyntaxError(Reason.UNKNOWN_UNIT, 0, text[:12])
     plain = "".join(" " if c in SPACES else SAME.get(c, "μ" if c == "µ" else c) for c in text)
-    reader = _UnitReader(plain)
+    reader = _UnitReader(WHOLE.get(plain.replace(" ", ""), plain))
     try:
         unit = reader.product()
     except (OverflowError, ZeroDivisionError):
@@ -132,7 +135,7 @@ class _UnitReader:
         if found is None:
             self.kind, self.piece = ("end", "") if self.place >= len(self.text) else ("bad", self.text[self.place])
             return
-        self.kind, self.piece = found.lastgroup or "bad", found.group()
+        self.kind, self.piece = ("mark", "/") if found.group() in PER else (found.lastgroup or "bad", found.group())
         self.place = found.end()
 
     def error(self) -> AnswerSyntaxError:
@@ -215,6 +218,8 @@ def nearest_unit(piece: str) -> str:
 
 def _named(piece: str) -> tuple[Unit, Unit] | None:
     unit = TABLE.get(piece)
+    if unit is None and piece in WORDS:
+        unit = read_unit(WORDS[piece])
     return (NONE, unit) if unit else COMPOUNDS.get(piece)
 
 

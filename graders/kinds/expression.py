@@ -36,6 +36,7 @@ class Expression:
         without: Earlier names that it has to do without: it is to be solved for the step.
         forms: Forms asked for besides the value.
         form_credit: Credit for the right value in another form.
+        called: Another name that the unknown may have in front, `z_M = …` where the step is z.
     """
 
     step: str
@@ -44,13 +45,15 @@ class Expression:
     without: tuple[str, ...] = ()
     forms: tuple[Form, ...] = ()
     form_credit: float = 0.5
+    called: str = ""
     kind: ClassVar[str] = "expression"
     symbolic: ClassVar[bool] = True
 
     def parse(self, text: str, symbols: Symbols) -> Tree:
         """Read a formula; `omega2 = …` in front is allowed, the unknown itself inside is not."""
         tree = parse(text, symbols)
-        if isinstance(tree, Relation) and tree.operators == ("=",) and tree.sides[0] == Name(self.step):
+        front = (Name(self.step), Name(self.called))
+        if isinstance(tree, Relation) and tree.operators == ("=",) and tree.sides[0] in front:
             tree = tree.sides[1]
         return checked(tree, text, symbols)
 

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from graders.asides import without_asides
 from graders.common_slips import NONE, Slips
 from graders.judge import Echo, Samples
+from graders.kinds.rational import Rational
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex, through
 from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
 WHOLE = re.compile(r"\s*(?:[\w\s.+*/()·⋅×:^−–=-]{0,50}[=≈]\s*)?([-+−–]?)\s*(\d{1,15})(?:[.,]0{0,9})?\s*")
+COUNTED = re.compile(r"(?<=\d) {0,3}(?:zębów|zęby|zebow|teeth|tooth|зубьев|зубья|зуба|зуб|szt|pcs|шт)\.?\s{0,9}$")
 LONG = 20
 FULL_WIDTH = {0xFF10 + figure: str(figure) for figure in range(10)}
 
@@ -29,15 +33,20 @@ class Integer:
     symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> int:
-        """Read `12`, `-3`, `45,0`, `z3 = 45`; raises AnswerSyntaxError."""
+        """Read `12`, `-3`, `45,0`, `z3 = 45`, `47 teeth`, `20+27`; raises AnswerSyntaxError."""
         if not text.strip():
             raise AnswerSyntaxError(Reason.EMPTY, 0)
         if is_latex(text):
             return through(text, lambda plain: self.parse(plain, symbols))
-        found = WHOLE.fullmatch(text.translate(FULL_WIDTH)) if len(text) <= 60 else None
-        if found is None or not found[2].isascii():
-            raise AnswerSyntaxError(Reason.NOT_AN_INTEGER, 0, text.strip()[:20])
-        return -int(found[2]) if found[1] in ("-", "−", "–") else int(found[2])
+        plain = COUNTED.sub("", without_asides(text)).translate(FULL_WIDTH)
+        found = WHOLE.fullmatch(plain) if len(plain) <= 60 else None
+        if found is not None and found[2].isascii():
+            return -int(found[2]) if found[1] in ("-", "−", "–") else int(found[2])
+        with suppress(AnswerSyntaxError):
+            value = Rational().parse(plain, symbols).value
+            if value.denominator == 1 and "," not in plain and "." not in plain:
+                return int(value)
+        raise AnswerSyntaxError(Reason.NOT_AN_INTEGER, 0, text.strip()[:20])
 
     def check(self, answer: int, reference: float) -> Verdict:
         """Judge exactly; the opposite sign is named."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import combinations
 from math import inf, pi, remainder
@@ -13,6 +14,7 @@ from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.language import doubles
+from graders.language.bare_grids import bracketed
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex
 from graders.language.mathml import mathml_of
@@ -62,7 +64,7 @@ class Matrix:
     symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> Typed:
-        """Read `[[1; 0], [0; 1]]` or `[1, 0; 0, 1]`; entries may be constant expressions such as `cos(30°)`."""
+        """Read `[[1; 0], [0; 1]]`, `[1, 0; 0, 1]` or bare rows; entries may be constants such as `cos(30°)`."""
         tree = read_grid(text, symbols)
         if isinstance(tree, Relation) and tree.operators == ("=",):
             tree = tree.sides[1]
@@ -169,11 +171,18 @@ class Matrix:
 
 
 def read_grid(text: str, symbols: Symbols) -> Tree:
-    """Read a text that should be a matrix; an entry left empty is told by its row and column."""
+    """Read a text that should be a matrix, with or without its brackets.
+
+    Raises:
+        AnswerSyntaxError: It cannot be read; an entry left empty is told by its row and column.
+    """
     try:
         return parse(text, symbols)
     except AnswerSyntaxError as error:
-        place = error.position
+        plain, place = "" if is_latex(text) else bracketed(text), error.position
+        if plain:
+            with suppress(AnswerSyntaxError):
+                return parse(plain, symbols)
         if error.reason is not Reason.NEEDS_OPERAND or is_latex(text) or text[place : place + 1] not in (";", ",", "]"):
             raise
         row, column = _entry_at(text[:place])

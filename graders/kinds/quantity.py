@@ -10,6 +10,7 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from graders.angles import is_angle, without_last_degree
+from graders.asides import without_asides
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
@@ -27,7 +28,6 @@ from graders.verdict import RIGHT, Code, Verdict, wrong
 
 GREATEST = 1e99
 ANGLE = (0, 0, 0, 1, 0)  # dimension
-FENCES = 4  # pairs of brackets around an amount that say nothing
 LONGEST = 200  # characters of an amount that is read at a glance
 ANGLES = 4 * math.pi  # beyond it whole turns are no other way to write an angle
 ROUNDED = 2e-4  # relative, what rounding on the way adds to an answer
@@ -78,12 +78,12 @@ class Quantity:
         plain = _plain_amount(text)
         if plain is not None:
             return self._amount(*plain)
+        text = without_asides(text)
         if is_latex(text):
             amount = through(text, lambda plain: self.parse(plain, symbols))
             return replace(amount, unit_text=tidy(amount.unit_text))
         if len(text) > MAX_LENGTH:
             raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
-        text = _unfenced(text)
         tree, number, rest, at = _read_number(TIMES_TEN.sub("*", THOUSANDS.sub(_joined, text)))
         unit_text = _bare(rest)
         unit = Piece(unit_text, at + rest.find(unit_text)).read(read_unit) if unit_text else None
@@ -202,27 +202,6 @@ class Quantity:
         return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
 
 
-def _unfenced(text: str) -> str:
-    """Blank out brackets around the whole text, `(204 mm)`, and a semicolon behind it; places stay."""
-    found = text.rstrip().removesuffix(";").rstrip().ljust(len(text))
-    for _ in range(FENCES):
-        start, end = len(found) - len(found.lstrip()), len(found.rstrip()) - 1
-        if found[start : start + 1] != "(" or _closing(found, start) != end:
-            break
-        found = f"{found[:start]} {found[start + 1 : end]} {found[end + 1 :]}"
-    return found if found.strip() else text
-
-
-def _closing(text: str, start: int) -> int:
-    """Find where a bracket closes; -1 where it does not."""
-    depth = 0
-    for at in range(start, len(text)):
-        depth += (text[at] == "(") - (text[at] == ")")
-        if not depth:
-            return at
-    return -1
-
-
 def _bounded(number: float, value: float) -> float:
     if not max(abs(number), abs(value)) < GREATEST:
         raise AnswerSyntaxError(Reason.OUT_OF_RANGE, 0)
@@ -230,9 +209,11 @@ def _bounded(number: float, value: float) -> float:
 
 
 def _bare(rest: str) -> str:
-    """Take a unit out of the square brackets some students put around it."""
+    """Take a unit out of the square brackets some students put around it; `[-]` says that there is none."""
     rest = rest.strip()
-    return rest[1:-1].strip() if rest[:1] == "[" and rest[-1:] == "]" else rest
+    if rest[:1] != "[" or rest[-1:] != "]":
+        return rest
+    return "" if rest[1:-1].strip() in ("-", "–", "—", "−") else rest[1:-1].strip()
 
 
 def _plain_amount(text: str) -> tuple[Tree, float, str, Unit | None] | None:
@@ -295,16 +276,22 @@ def _refuse_relation(tokens: list[Token], text: str) -> None:
 
 
 def _behind_equals(tokens: list[Token]) -> int:
-    """Find the value in `R_A = 12 kN`, `= 12 kN`, `cos(q3) = 0.7`, `R_A = 280/13 = 21.5 kN`; 0 where none is named."""
+    """Find the value in `R_A = 12 kN`, `= 12 kN`, `cos(q3) = 0.7`, `R_A = 280/13 = 21.5 kN`, `280/13 = 21.5 kN`.
+
+    0 where none is named: behind another unknown, such as `2*R_A = 12`, stands another value.
+    """
     equals = [at for at, token in enumerate(tokens) if token.kind == "="]
-    first = tokens[0]
-    if not equals or first.kind not in ("name", "=", "|"):
-        return 0
-    called = first.kind == "|" or tokens[1].kind == "(" or function_named(first.text)
-    if equals[0] > 1 and not called:
+    if not equals or not _names_the_value(tokens, equals):
         return 0
     last = equals[-1]
     return last + 1 if last - 1 not in equals else equals[0] + 1
+
+
+def _names_the_value(tokens: list[Token], equals: list[int]) -> bool:
+    first = tokens[0]
+    if first.kind not in ("name", "=", "|"):
+        return equals[0] > 2 and not any(token.kind == "name" for token in tokens[: equals[-1]])  # a computation
+    return equals[0] <= 1 or first.kind == "|" or tokens[1].kind == "(" or bool(function_named(first.text))
 
 
 def _computed(tree: Tree, place: int, typed: str) -> float:
@@ -321,9 +308,11 @@ def _computed(tree: Tree, place: int, typed: str) -> float:
 
 def _unit_starts(tokens: list[Token], end: int) -> int:
     """Find where the unit begins: at the first name that is no function and no pi, its `1/` or `/` included."""
+    signs = False  # minutes of arc behind degrees belong to the number
     for at, token in enumerate(tokens):
-        if token.kind == "[" and at:
+        if at and (token.kind == "[" or (token.kind in ("'", '"') and tokens[at - 1].kind == "number" and not signs)):
             return token.position
+        signs = signs or token.kind == "°"
         if token.kind == "name" and not function_named(token.text) and key(token.text) != "pi":
             break
     else:

@@ -34,6 +34,14 @@ def is_latex(text: str) -> bool:
     return "\\" in text or ("{" in text and any(mark in text for mark in ("^{", "_{", "{,}")))
 
 
+def undollared(text: str) -> str:
+    """Blank out the dollar signs around a whole text, with which LaTeX is copied; places stay."""
+    inside = text.strip()
+    if len(inside) < 3 or inside[0] != "$" or inside[-1] != "$" or "$" in inside[1:-1]:
+        return text
+    return text.replace("$", " ")
+
+
 def upright(latex: str, place: int) -> bool:
     """Tell whether letters stand upright: `\\mathrm{EI}` is one name, `EI` the product that an editor writes so."""
     before = latex[max(0, place - 24) : place].rstrip()
@@ -62,7 +70,7 @@ def rewritten(latex: str) -> Rewritten:
     """
     if len(latex) > MAX_LATEX:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LATEX)
-    reader = _Reader(latex)
+    reader = _Reader(undollared(latex))
     reader.sequence()
     if reader.at < len(latex):
         raise reader.error(Reason.EXTRA_BRACKET)

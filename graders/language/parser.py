@@ -20,7 +20,8 @@ ONE: Tree = Number("1")
 RELATIONS = ("=", "<", ">", "<=", ">=")
 LESS, GREATER = frozenset(("<", "<=")), frozenset((">", ">="))  # a chain runs in one sense
 BEHIND = ("^", "raised", "end", ")", "]", ";", ",", ">", "+", "-", "*", "/")  # a bracket such as <x - a>
-STARTS = ("number", "name", "(", "[", "√")
+ROOTS = {"√": "2", "∛": "3", "∜": "4"}
+STARTS = ("number", "name", "(", "[", *ROOTS)
 
 
 def parse(text: str, symbols: Symbols) -> Tree:
@@ -171,6 +172,8 @@ class _Parser:
         elif token.kind == "raised":
             self.at += 1
             base = self.count(Binary("^", base, self.raised(token)))
+            if self.accept("°"):  # 1,2·10¹ °
+                base = self.count(Unary("°", base))
         return base
 
     def raised(self, token: Token) -> Tree:
@@ -233,13 +236,18 @@ class _Parser:
             return self.matrix()
         if token.kind in ("(", "|", "<"):
             return self.bracket()
-        if token.kind == "√":
-            self.at += 1
-            self.enter(token)
-            tree = Call("sqrt", (self.power() if self.token.kind != "number" else self.count(self.number()),))
-            self.depth -= 1
-            return self.count(tree)
+        if token.kind in ROOTS:
+            return self.root(token)
         raise self.error(Reason.NEEDS_OPERAND)
+
+    def root(self, token: Token) -> Tree:
+        self.at += 1
+        self.enter(token)
+        inside = self.power() if self.token.kind != "number" else self.count(self.number())
+        self.depth -= 1
+        if token.kind == "√":
+            return self.count(Call("sqrt", (inside,)))
+        return self.count(Call("root", (inside, Number(ROOTS[token.kind]))))
 
     def number(self) -> Number:
         token = self.token

@@ -27,7 +27,7 @@ TOKEN = re.compile(
     rf"(?P<number>(?:\d+(?:[.,]\d+)?|\.\d+))"
     rf"|(?P<name>{LETTER}(?:{LETTER}|[\d_₀-₉\u0307\u0308])*'*)"
     r"|(?P<raised>[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√°'\"%])"
+    r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√∛∜°'\"%])"
 )
 OF_DEGREES = re.compile(r"(?:sin|cos|tan|tg|ctg|cot)(?=\d{1,6}(?:[.,]\d{1,12})? ?°)")  # sin105°
 CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}

@@ -13,9 +13,11 @@ from graders.language.errors import Reason
 from graders.language.symbols import ALIASES, FUNCTIONS, GREEK, LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.symbols import LETTERS as LETTER_NAMES
 from graders.language.text import text_of
+from graders.unit_words import FORMS, WHOLE
 from graders.words import locale
 
 ROOT = Path(__file__).parents[2]
+WORDED = FORMS | WHOLE
 PAGE = ROOT / "docs" / "reference" / "language.md"
 SYMBOLS = Symbols(["l1", "l2", "alpha1", "omega1", "R_A", "F", "x", "a", "b", "phi1_d", "y_d"])
 EXAMPLES = (
@@ -128,7 +130,8 @@ def _units() -> Iterator[str]:
     yield from (
         "A unit is a product or quotient of these with whole powers up to 9: `N/mm^2`, `N·mm⁻²`, `kN m`, `kNm`,",
         "`1/s`, `obr./min`. Square or round brackets around it are read. A bare number is read in the unit printed",
-        "at the field. Energy (J) is no torque (N·m) and a frequency (Hz) no angular velocity; `1/min` is a turn a",
+        "at the field, but a multiple of π at a field of angles, such as `π/6`, in radians. Energy (J) is no torque",
+        "(N·m) and a frequency (Hz) no angular velocity; `1/min` is a turn a",
         "minute.", "",
     )  # fmt: skip
     latin, cyrillic = _alphabets(units.PREFIXES)
@@ -137,6 +140,8 @@ def _units() -> Iterator[str]:
         (_code(latin), _code(_alphabets(units.PREFIXED)[0])),
         (_code(cyrillic), _code(_alphabets(units.PREFIXED)[1])),
     )
+    yield from ("In words, with and without a prefix in the same language, `per`, `na` and `в` for the stroke:", "")
+    yield from _table(("unit", "words"), *((f"`{unit}`", _code(forms.split())) for unit, forms in WORDED.items()))
     same: dict[units.Unit, list[str]] = {}
     for spelling, unit in units.PLAIN.items():
         same.setdefault(unit, []).append(spelling)

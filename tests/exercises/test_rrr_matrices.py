@@ -55,3 +55,12 @@ def test_matrices_follow_from_a_wrong_table() -> None:
     verdicts = grade(Submission(VARIANT, {name: answers[name] for name in ("P", "A1", "A2", "A3")})).verdicts
     assert verdicts["P"].outcome is Outcome.PARTLY
     assert [verdicts[name].code for name in ("A1", "A2", "A3")] == [Code.RIGHT, Code.RIGHT, Code.FOLLOWED]
+
+
+@pytest.mark.parametrize("front", ["", "x = ", "x_M = ", "xM="])
+def test_the_formula_may_be_named_by_the_coordinate_or_by_that_of_the_point(front: str) -> None:
+    assert code("x_formula", front + reference(VARIANT)["x_formula"]) is Code.RIGHT
+
+
+def test_the_formula_may_not_be_named_by_another_coordinate() -> None:
+    assert code("x_formula", "y_M = " + reference(VARIANT)["x_formula"]) is Code.UNREADABLE

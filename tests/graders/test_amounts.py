@@ -68,3 +68,41 @@ def test_a_bound_is_asked_for_its_value(text: str, place: int, meant: str) -> No
     with pytest.raises(AnswerSyntaxError) as refused:
         Quantity("mm").parse(text, Symbols(()))
     assert (refused.value.position, refused.value.proposal.meant) == (place, meant)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["ok. 204 mm", "l3 = ok. 204 mm", "≈ około 204 mm", "ок. 204 мм", "Około 204", "w przybliżeniu 20,4 cm",
+     "approx. 204 mm", "~204 mm", "204~mm", "$204\\,\\mathrm{mm}$", "l3: 204 mm", "Ø204 mm", "⌀ 204", "204.", "204 mm.",
+     "about -(-204) mm", "408/2 = 204 mm", "= 204", r"ok. 20{,}4\,\mathrm{cm}", "204 [mm]", "∛(204^3) mm"],
+)  # fmt: skip
+def test_what_says_nothing_of_an_amount_is_passed_over(text: str) -> None:
+    assert Quantity("mm").parse(text, NOTHING).value == pytest.approx(0.204)
+
+
+@pytest.mark.parametrize(
+    "text", ["okno 204 mm", "ok.", "about", "l3: l3", "reakcja R 204", "2*x = 204", "x/2 = 204", "not 204"]
+)
+def test_what_may_say_something_is_not_passed_over(text: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Quantity("mm").parse(text, NOTHING)
+
+
+def test_a_colon_behind_pi_divides() -> None:
+    assert Quantity("1").parse("π:4", NOTHING).value == pytest.approx(0.78539816)
+
+
+@pytest.mark.parametrize("text", ["2,45 [-]", "2.45 [–]", "2,45"])
+def test_a_dash_in_brackets_says_that_there_is_no_unit(text: str) -> None:
+    amount = Quantity("1").parse(text, NOTHING)
+    assert (amount.value, amount.unit) == (2.45, None)
+
+
+@pytest.mark.parametrize(
+    ("text", "degrees"),
+    [("π/6", 30), ("-3*pi/4", -135), ("pi", 180), ("pi/2 - pi/3", 30), ("0,5*180/pi", 90 / 3.14159265359), ("30", 30),
+     ("180 - pi/6", 179.4764012), ("1,14·10^1°", 11.4), ("1,14·10¹ °", 11.4), ("90'", 1.5), ("-1°30'", -1.5),
+     ('5400"', 1.5)],
+)  # fmt: skip
+def test_an_angle_says_in_which_unit_it_is(text: str, degrees: float) -> None:
+    assert Quantity("deg").parse(text, NOTHING).value == pytest.approx(degrees * 3.14159265359 / 180)

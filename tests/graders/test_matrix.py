@@ -26,15 +26,44 @@ def judged(text: str) -> Code:
         "[[30°; 450], [-45°; 0]]",
         "[[390; 9*50], [315°; 0]]",
         "[[asin(0,5)*180/pi; 450], [-45; 0]]",
+        "[[pi/6; 450], [-pi/4; 0]]",
     ],
 )
 def test_a_bare_number_is_read_in_the_unit_of_its_column(typed: str) -> None:
     assert judged(typed) is Code.RIGHT
 
 
-@pytest.mark.parametrize("typed", ["[[pi/6; 450], [-pi/4; 0]]", "[[30; 0.45], [-45; 0]]", "[[30; 450], [45; 0]]"])
+@pytest.mark.parametrize("typed", ["[[30*pi; 450], [-45; 0]]", "[[30; 0.45], [-45; 0]]", "[[30; 450], [45; 0]]"])
 def test_a_number_in_another_unit_or_of_another_sign_is_not_right(typed: str) -> None:
     assert judged(typed) is not Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "30 450\n-45 0",
+        "30\t450\n-45\t0\n",
+        "30; 450\n-45; 0",
+        "30, 450\n-45, 0",
+        "| 30 | 450 |\n| -45 | 0 |",
+        "[30 450; -45 0]",
+        "[[30 450]; [-45 0]]",
+        "P = [30° 900/2; -45° 0]",
+        "30,0 450,0\n-45,0 0,0",
+        "[ 30  450 ]\n[ -45  0 ]",
+    ],
+)
+def test_rows_need_no_brackets_and_entries_no_semicolons(typed: str) -> None:
+    assert judged(typed) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("typed", "place"), [("30 450\n-45", 3), ("[30 450; -45 x]", 4), ("1 2 3", 2), ("[30 - 450; 1 0]", 13)]
+)
+def test_what_is_no_table_of_numbers_is_refused_where_it_was_typed(typed: str, place: int) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        TABLE.parse(typed, NOTHING)
+    assert refused.value.position == place
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,20 @@ def test_an_option_is_chosen_by_letter_or_name(typed: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "typed", ["47 zębów", "47 teeth", "47 зубьев.", "z4: 47", "$47$", "30+47-30", "94/2", "ok. 47"]
+)
+def test_a_count_is_read_with_its_word_and_as_a_sum(typed: str) -> None:
+    assert Integer().parse(typed, NOTHING) == 47
+
+
+@pytest.mark.parametrize("typed", ["47 mm", "95/2", "47 48", "2*23,5", "zębów", "47 or 48", "9^99"])
+def test_what_is_no_count_is_refused(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Integer().parse(typed, NOTHING)
+    assert refused.value.reason is Reason.NOT_AN_INTEGER
+
+
+@pytest.mark.parametrize(
     ("typed", "code", "score"),
     [
         ("a; c", Code.RIGHT, 1),
@@ -93,7 +107,7 @@ def test_an_order_earns_by_its_pairs(typed: str, code: Code, score: float) -> No
         (Rational(), "i = 1/(2-2)", Reason.OUT_OF_RANGE, 4),
         (Rational(), "2 1/2", Reason.MIXED_NUMBER, 2),
         (Rational(), r"\frac{8}{}", Reason.EMPTY_BOX, 8),
-        (Integer(), r"\frac{8}{2}", Reason.NOT_AN_INTEGER, 0),
+        (Integer(), r"\frac{9}{2}", Reason.NOT_AN_INTEGER, 0),
     ],
 )
 def test_what_no_small_judge_reads_is_refused_with_its_place(

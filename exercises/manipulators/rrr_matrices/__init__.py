@@ -103,7 +103,7 @@ def answers(givens: Givens) -> Answers:
         "P": Matrix(3, 4, units=("deg", "m", "m", "deg"), weight=3),
         **{f"A{i}": Matrix(4, 4) for i in (1, 2, 3)},
         "T": Matrix(4, 4, weight=2),
-        f"{givens.coordinate}_formula": Expression(step=givens.coordinate, weight=2),
+        f"{givens.coordinate}_formula": Expression(step=givens.coordinate, called=f"{givens.coordinate}_M", weight=2),
         **{f"{name}_M": Quantity("m", rtol=0.005, atol=0.001) for name in "xyz"},
     }
 

@@ -1,0 +1,50 @@
+"""What stands around a number and says nothing of it: `ok.`, `~`, `about`, `Ø`, `l3:`, `$`, brackets, a full stop."""
+
+from __future__ import annotations
+
+import re
+
+from graders.language.latex_reader import undollared
+from graders.language.tokens import LETTER
+
+FENCES = 4  # pairs of brackets around an amount that say nothing
+ABOUT = (
+    "ok", "około", "ca", "circa", "w przybliżeniu", "mniej więcej", "about", "approx", "approximately", "roughly",
+    "ок", "около", "примерно", "приблизительно",
+)  # fmt: skip
+ROUGHLY = re.compile(
+    rf"((?:^|[=≈:])\s{{0,9}})((?:{'|'.join(ABOUT)})(?:\.\s{{0,3}}|\s{{1,3}})|[øØ⌀~]\s{{0,3}})(?=[-+−–.\d(\\√])",
+    re.IGNORECASE,
+)
+TIE = re.compile(r"(?<=\d)~(?=[^\W\d])")  # 12~kN
+LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(?=\s{{0,9}}[-+−–.\d(\\√])")
+
+
+def without_asides(text: str) -> str:
+    """Blank out what says nothing of the number: `ok. 12 kN`, `R_A: 12 kN`, `(12 kN)`, `12 kN.`; places stay."""
+    text = TIE.sub(" ", LABEL.sub(r"\1=", undollared(text)))
+    text = ROUGHLY.sub(lambda found: found[1] + " " * len(found[2]), text)
+    found = text.rstrip()
+    for mark in (";", "."):
+        found = found.removesuffix(mark).rstrip()
+    found = _unfenced(found.ljust(len(text)))
+    return found if found.strip() else text
+
+
+def _unfenced(text: str) -> str:
+    for _ in range(FENCES):
+        start, end = len(text) - len(text.lstrip()), len(text.rstrip()) - 1
+        if text[start : start + 1] != "(" or _closing(text, start) != end:
+            break
+        text = f"{text[:start]} {text[start + 1 : end]} {text[end + 1 :]}"
+    return text
+
+
+def _closing(text: str, start: int) -> int:
+    """Find where a bracket closes; -1 where it does not."""
+    depth = 0
+    for at in range(start, len(text)):
+        depth += (text[at] == "(") - (text[at] == ")")
+        if not depth:
+            return at
+    return -1
