@@ -22,6 +22,7 @@ from server.templating import decimal, page
 from server.zones import told
 
 AT_ONCE = 100  # lines in one answer
+TITLED = {"set", "from"}  # details that are numbers of sets and courses
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["audit"])
 pages = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
@@ -108,6 +109,9 @@ async def _page(
     request: Request, bench: Bench, language: str, before: int | None, course: Any, checked: Checked | None = None
 ) -> HTMLResponse:
     listed = await _listed(bench, course.id if course else None, before, "")
+    titles = await bench.audit.names(
+        {str(d[name]) for line in listed.lines if (d := line.details) for name in TITLED & d.keys()}
+    )
     place = clock.zone(course.time_zone if course else "UTC")
     context = {
         "course": course,
@@ -116,7 +120,7 @@ async def _page(
         "older": listed.lines[-1].number if listed.next else None,
         "newest": before is None,
         **told(language, place),
-        "worded": partial(_worded, language),
+        "worded": partial(_worded, language, titles),
     }
     return page(request, language, "audit.html", context)
 
@@ -127,8 +131,9 @@ def _plain(language: str, value: Detail) -> str:
     return "—" if value is None else str(value)
 
 
-def _worded(language: str, name: str, value: Detail) -> str:
-    """Word a detail: its name, and its value where that is a word of ours."""
+def _worded(language: str, titles: Mapping[str, str], name: str, value: Detail) -> str:
+    """Word a detail: its name, and its value where that is a word of ours or the number of a set or course."""
     known = words(language)
     said = known.get(f"audit.value_{value}".lower(), _plain(language, value))
+    said = titles.get(said, said) if name in TITLED else said
     return f"{known.get(f'audit.detail_{name}', name)}: {said}"

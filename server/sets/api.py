@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from typing import Annotated, Any, Literal
 
@@ -251,9 +252,16 @@ async def copied(bench: Bench, reader: Reader, title: str, days: int) -> Course:
         raise Refused(403, "forbidden")
     old = here(reader).course
     new = await start(bench, reader, title, old.language, old.time_zone, copied=old.id)
-    for task_set in reversed(await bench.sets.of(old.id)):
-        await building.copy(bench, task_set, new, days, actor_of(reader))
+    copies: dict[str, str] = {}
+    for task_set in _firsts_first(await bench.sets.of(old.id)):
+        first = copies.get(task_set.rules.get("second_chance_of") or "")
+        copies[task_set.id] = (await building.copy(bench, task_set, new, days, actor_of(reader), first)).id
     return new
+
+
+def _firsts_first(sets: Sequence[TaskSet]) -> list[TaskSet]:
+    """Order sets from the oldest on, a second chance behind what it is a second chance to."""
+    return sorted(reversed(sets), key=lambda one: one.rules.get("second_chance_of") is not None)
 
 
 async def set_of(bench: Bench, reader: Reader, number: str) -> TaskSet:

@@ -152,13 +152,16 @@ def _iso(moment: datetime | None) -> str | None:
     return moment.isoformat() if moment else None
 
 
-async def copy(bench: Bench, task_set: TaskSet, course: Course, days: int, actor: str) -> TaskSet:
-    """Copy a set as a draft; its dates move by whole days of the course's clock."""
+async def copy(
+    bench: Bench, task_set: TaskSet, course: Course, days: int, actor: str, first: str | None = None
+) -> TaskSet:
+    """Copy a set as a draft; its dates move by whole days of the course's clock. `first` is the set to which the copy
+    is a second chance."""
     place = zone(course.time_zone)
     opens, due, closes = (
         shifted(moment, days, place) if moment else None for moment in (task_set.opens, task_set.due, task_set.closes)
     )
-    number, rules = ids.new(), {**task_set.rules, "second_chance_of": None}
+    number, rules = ids.new(), {**task_set.rules, "second_chance_of": first}
     slots = tuple(replace(slot, id=ids.new(), task_set=number) for slot in task_set.slots)
     new = replace(
         task_set, id=number, course=course.id, rules=rules, state=DRAFT, published=None, revision=1,

@@ -204,7 +204,7 @@ async def _builder(
 
 def _may_be_first(one: TaskSet, second: TaskSet) -> bool:
     """Whether a set may be the one to which another is a second chance."""
-    return one.id != second.id and one.published is not None and not one.rules["second_chance_of"]
+    return one.id != second.id and one.published is not None and not one.rules.get("second_chance_of")
 
 
 async def title_of(bench: Bench, exercise: str, language: str) -> str:

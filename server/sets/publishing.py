@@ -13,6 +13,7 @@ from server.database import decks
 from server.sets import dealing
 from server.sets.dealing import Drawn, Plan, Trouble
 from server.sets.planning import planned, stored
+from server.sets.rules import Rules, window
 from server.storage.jobs import Job, Kind, Order
 from server.storage.sets import Slot, TaskSet
 
@@ -33,12 +34,14 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
     """Order the publishing of a draft, which is frozen from now on; gives the number of the job.
 
     Raises:
-        Troubled: It has no tasks.
+        Troubled: It has no tasks, or its results would be held back for ever.
         NotADraft: It is published already, or has changed meanwhile.
         Busy: It is being published.
     """
     if not task_set.slots:
         raise Troubled([Trouble(0, "empty")])
+    if endless(task_set):
+        raise Troubled([Trouble(0, "endless")])
     roster = await bench.sets.students(task_set.course)
     seats = dealing.seats(roster)
     payload = {"task_set": task_set.id, "roster": roster, "seats": seats, "actor": actor}
@@ -47,6 +50,13 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
     await bench.jobs.start(made, partial(decks.begin, number=task_set.id, revision=task_set.revision))
     bench.engine.wake()
     return made.id
+
+
+def endless(task_set: TaskSet) -> bool:
+    """Whether a set is an examination that ends for nobody, so that nobody would ever see a result."""
+    rules = Rules.model_validate(task_set.rules)
+    found = window(task_set.opens, task_set.due, task_set.closes, rules)
+    return rules.mode == "exam" and rules.minutes is None and found.closes is None
 
 
 async def waited(bench: Bench, number: str, seconds: float) -> Job:

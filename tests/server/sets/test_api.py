@@ -278,6 +278,16 @@ def test_a_second_chance_is_weighed_with_the_first(course: Course) -> None:
     assert course.student.get(f"/api/v1/task-sets/{second}").json()["share"] == pytest.approx(0.9 + 0.1 * one)
 
 
+def test_a_second_chance_comes_along_with_a_copied_course(course: Course) -> None:
+    first = course.published(title="First of two")
+    course.built(title="Second of two", rules={"second_chance_of": first})
+    new = course.lecturer.post(f"/api/v1/courses/{course.school.course}/copy", json={"title": "Two", "days": 7}).json()
+    listed = course.lecturer.get(f"/api/v1/courses/{new['id']}/task-sets").json()
+    copies = {one["title"]: one["id"] for one in listed if "of two" in one["title"]}
+    second = course.lecturer.get(f"/api/v1/task-sets/{copies['Second of two']}").json()
+    assert second["rules"]["second_chance_of"] == copies["First of two"] != first
+
+
 def test_sheets_and_key_of_a_deck_carry_codes(course: Course) -> None:
     number = course.published()
     path = f"/api/v1/task-sets/{number}/items/1/sheets.md?lang=en"

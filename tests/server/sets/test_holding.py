@@ -10,7 +10,7 @@ from sqlalchemy import update
 from server.database.sets import Sets
 from server.sets import handing
 from server.tables import deck
-from tests.server.sets.conftest import Course
+from tests.server.sets.conftest import Course, moment
 from tests.server.sets.test_api import code_of, texts
 
 FREE = "planetary"  # of no other set here
@@ -180,6 +180,16 @@ def test_a_time_limit_without_dates_holds_no_results_for_ever(course: Course) ->
     assert course.student.get(f"/api/v1/submissions/{receipt}").json()["held"]
     begun(course, variant, minutes=31)
     assert course.student.get(f"/api/v1/submissions/{receipt}").json()["score"] == 0
+
+
+@pytest.mark.parametrize("late", ["refused", "accepted"])
+def test_an_examination_that_would_hold_its_results_for_ever_is_not_published(course: Course, late: str) -> None:
+    due = moment(hours=1) if late == "accepted" else None
+    number = course.built(rules={"mode": "exam", "late": late}, due=due)
+    refused = course.lecturer.post(f"/api/v1/task-sets/{number}/open")
+    assert code_of(refused) == (422, "set_troubled") and course.open(number).status_code == 404
+    course.lecturer.patch(f"/api/v1/task-sets/{number}", json={"revision": 1, "closes": moment(hours=2)})
+    assert course.lecturer.post(f"/api/v1/task-sets/{number}/open").status_code == 200
 
 
 def test_a_second_chance_tells_nothing_of_an_examination_under_way(course: Course) -> None:

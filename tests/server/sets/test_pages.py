@@ -205,6 +205,8 @@ def test_extra_time_is_given_on_the_page_of_a_student_and_taken_back(course: Cou
         assert course.lecturer.post(f"{page}/time", data={"minutes": minutes}).status_code == 422
     lecturer = course.school.people["lecturer"]
     assert course.lecturer.post(f"/sets/{number}/students/{lecturer}/time", data={"minutes": "5"}).status_code == 404
+    log = course.lecturer.get(f"/courses/{course.school.course}/audit?lang=en").text
+    assert "extra time given" in log and "set: Set 4; minutes: 30" in log and number not in log
     assistant = course.school.browser("assistant")
     assert assistant.post(f"{page}/time", data={"minutes": "5"}).status_code == 403
     form = f'action="{page}/time"'
