@@ -95,7 +95,7 @@ class ShownMember(BaseModel):
     claimed: datetime | None
 
 
-class Line(BaseModel):
+class RosterLine(BaseModel):
     """What a line of a roster changes: new, joins, moves or same; `known` is another name the person has here."""
 
     login: str
@@ -115,7 +115,7 @@ class Unread(BaseModel):
 class Planned(BaseModel):
     """What a roster changes, line by line."""
 
-    changes: list[Line]
+    changes: list[RosterLine]
     unread: list[Unread]
     applied: bool
 
@@ -187,7 +187,9 @@ async def take_out(course: str, person: str, bench: Tools, reader: Asking) -> No
 async def import_roster(course: str, body: Roster, bench: Tools, reader: Asking) -> Planned:
     """Show what a roster would change, or change it. Everybody it names is a student; nobody is taken out."""
     changes, unread = await take_roster(bench, reader, body.csv, body.apply)
-    lines = [Line(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what, known=c.known) for c in changes]
+    lines = [
+        RosterLine(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what, known=c.known) for c in changes
+    ]
     return Planned(changes=lines, unread=[Unread(line=u.line, code=u.code) for u in unread], applied=body.apply)
 
 

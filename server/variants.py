@@ -46,7 +46,7 @@ class NewVariant(BaseModel):
     seed: Annotated[StrictInt, Field(ge=0, le=SEED_RANGE)] | None = None
 
 
-class Line(BaseModel):
+class GivenLine(BaseModel):
     """A number of the statement: its symbol (MathML) and its printed value."""
 
     symbol: str
@@ -101,7 +101,7 @@ class ShownVariant(BaseModel):
     figure: str | None
     figure_table: Table | None
     givens: dict[str, Any]
-    data: list[Line]
+    data: list[GivenLine]
     answers: dict[str, AskedFor]
 
 
@@ -290,7 +290,7 @@ async def shown(bench: Bench, dealt: Dealt, language: str, *, resolved: bool = F
         if picture
         else None,
         givens=dict(dealt.givens),
-        data=[Line(symbol=symbol, value=value) for symbol, value in seen.givens],
+        data=[GivenLine(symbol=symbol, value=value) for symbol, value in seen.givens],
         answers={name: asked_for(field) for name, field in seen.answers.items()},
     )
 

@@ -35,7 +35,7 @@ async def _course_of(bench: Bench, number: str) -> str | None:
 COURSES["job"] = _course_of
 
 
-class ShownItem(BaseModel):
+class ItemProgress(BaseModel):
     """How far a task is that is being published: so many of its cards are drawn and checked."""
 
     number: int
@@ -55,7 +55,7 @@ class ShownJob(BaseModel):
     state: str
     done: int
     total: int
-    items: list[ShownItem]
+    items: list[ItemProgress]
     result: dict[str, Any] | None
     created: datetime
     finished: datetime | None
@@ -134,10 +134,10 @@ async def shown_job(bench: Bench, number: str) -> ShownJob:
     return ShownJob(**told, items=await items_of(bench, job))
 
 
-async def items_of(bench: Bench, job: Job) -> list[ShownItem]:
+async def items_of(bench: Bench, job: Job) -> list[ItemProgress]:
     """Tell how far each task is, of a job whose batches are tasks and tell that."""
     found = await bench.jobs.progress(job.id) if KINDS[job.kind].tells else ()
-    return [ShownItem(number=one.piece, done=one.reached, total=one.parts) for one in found]
+    return [ItemProgress(number=one.piece, done=one.reached, total=one.parts) for one in found]
 
 
 async def _events(bench: Bench, job: Job) -> AsyncIterator[str]:

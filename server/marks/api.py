@@ -13,7 +13,7 @@ from server.courses import HERE, here
 from server.marks import export, giving, gradebook
 from server.marks.giving import NewMark, Settling
 from server.marks.history import history
-from server.marks.items import ShownItem, items, shown_item
+from server.marks.items import ItemStatistics, items, shown_item
 from server.marks.shapes import (
     CourseGradebook,
     SetProgress,
@@ -94,7 +94,7 @@ async def show_history(task_set: str, person: str, bench: Tools, reader: Asking)
 
 
 @router.get("/task-sets/{task_set}/statistics", responses=HERE)
-async def show_statistics(task_set: str, bench: Tools, reader: Asking) -> list[ShownItem]:
+async def show_statistics(task_set: str, bench: Tools, reader: Asking) -> list[ItemStatistics]:
     """Tell what the answers of the class say of the tasks; groups of fewer than five students are hidden."""
     found = await items(bench, await set_of(bench, reader, task_set))
     return [shown_item(one, reader.language) for one in found]

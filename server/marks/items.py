@@ -51,7 +51,7 @@ class ShownWrong(BaseModel):
     students: int
 
 
-class ShownGroup(BaseModel):
+class ShownAlternative(BaseModel):
     """An exercise of a pool against the others: the share that solved it, and the probability of so much by chance."""
 
     exercise: str
@@ -61,7 +61,7 @@ class ShownGroup(BaseModel):
     unfair: bool
 
 
-class ShownItem(BaseModel):
+class ItemStatistics(BaseModel):
     """What a class did in a task. Numbers behind which stand fewer than five students are none."""
 
     number: int
@@ -73,7 +73,7 @@ class ShownItem(BaseModel):
     minutes: float | None
     mistakes: list[ShownMistake]
     wrong: list[ShownWrong]
-    groups: list[ShownGroup]
+    groups: list[ShownAlternative]
 
 
 async def items(bench: Bench, task_set: TaskSet) -> list[Item]:
@@ -137,10 +137,10 @@ def _mistake(line: Line, exercise: str) -> str | None:
     return f"{exercise}:{own}" if own else f":{common}" if common else None
 
 
-def shown_item(item: Item, language: str) -> ShownItem:
+def shown_item(item: Item, language: str) -> ItemStatistics:
     """Show a task in a language."""
     found = item.found
-    return ShownItem(
+    return ItemStatistics(
         number=item.slot.number, students=found.students, success=found.success, solved=found.solved,
         separates=found.separates, attempts=found.attempts, minutes=found.first_right,
         mistakes=[ShownMistake(name=name, text=worded(name, language), share=s) for name, s in found.mistakes],
@@ -149,7 +149,7 @@ def shown_item(item: Item, language: str) -> ShownItem:
             for (name, text, mistake), times in found.wrong
         ],
         groups=[
-            ShownGroup(exercise=one.group, students=one.students, solved=one.solved, p=one.p, unfair=one.unfair)
+            ShownAlternative(exercise=one.group, students=one.students, solved=one.solved, p=one.p, unfair=one.unfair)
             for one in found.groups
         ],
     )  # fmt: skip

@@ -254,6 +254,11 @@ def test_the_description_names_our_own_shape_for_every_error(client: TestClient)
                     assert schema == {"$ref": "#/components/schemas/Failure"}, f"{method} {path} {status}"
 
 
+def test_every_shape_of_the_description_has_a_name_of_its_own(client: TestClient) -> None:
+    shapes = client.get("/api/v1/openapi.json").json()["components"]["schemas"]
+    assert [name for name in shapes if "__" in name] == []  # two of one name are told apart by the paths of our modules
+
+
 def test_a_closed_solution_says_what_opens_it(client: TestClient, deal: Callable[..., str]) -> None:
     refused = client.get(f"/api/v1/variants/{deal()}/solution")
     assert refused.status_code == 403 and refused.json()["error"]["opens"] == "first_counted_submission"

@@ -118,13 +118,14 @@ def test_a_regrade_that_was_ordered_before_an_update_is_shown(course: Course, ha
     reply = course.lecturer.post(path, data={"then": "look"})
     ended(course, number := reply.headers["location"].rsplit("/", 1)[1])
     store = engine(course.school.bench.settings.store_url, connections=1)
-    with store.begin() as connection:
+    with store.connect() as connection:
         row = connection.execute(select(jobs.c.payload, jobs.c.result).where(jobs.c.id == number)).one()
-        older = {
-            "payload": {key: value for key, value in row.payload.items() if key != "recompute_references"},
-            "result": {key: value for key, value in row.result.items() if key != "recomputed"},
-        }
-        assert older != row._asdict()
+    older = {
+        "payload": {key: value for key, value in row.payload.items() if key != "recompute_references"},
+        "result": {key: value for key, value in row.result.items() if key != "recomputed"},
+    }
+    assert older != row._asdict()
+    with store.begin() as connection:  # it has read nothing, so it waits for the server's writer
         connection.execute(update(jobs).where(jobs.c.id == number).values(older))
     store.dispose()
     assert "What would change" in course.lecturer.get(f"{path}?lang=en").text
