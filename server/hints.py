@@ -15,7 +15,7 @@ from graders.verdict import OUTCOMES, Code, Outcome
 from server.bench import Bench, Tools
 from server.errors import Failure, Refused
 from server.reader import Asking, Reader, admit
-from server.sets.handing import is_held, own_window, refuse_unless_open, rules_of
+from server.sets.handing import is_held, refuse_unless_working, rules_of
 from server.storage import Dealt
 from server.storage.sets import Hint, Place
 from server.typed import Typed
@@ -103,12 +103,12 @@ async def open_hint(bench: Bench, reader: Reader, dealt: Dealt, answer: str, run
     """Open a step of a ladder at its price; one that is open costs nothing again.
 
     Raises:
-        Refused: 403, the set is closed; 409, there is no such step to open now.
+        Refused: 403, the set is closed, or the student has left the course; 409, there is no such step to open now.
     """
     now, place = datetime.now(UTC), await bench.sets.place(dealt.id) if dealt.code else None
     if place is None or not await price(bench, reader, dealt) or not await _offered(bench, place, dealt, answer):
         raise Refused(409, "no_hint")
-    refuse_unless_open(own_window(place), now)
+    refuse_unless_working(place, now)
     steps = await bench.judging.run(presenting.ladder, restored(dealt), answer, reader.language)
     bought = sum(hint.answer == answer for hint in await bench.sets.hints(dealt.id))
     if rung not in map(str, range(1, min(bought + 1, len(steps)) + 1)):

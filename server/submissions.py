@@ -184,12 +184,12 @@ async def _before(
     """Give what a key stands for already; refuse a new submission outside the window.
 
     Raises:
-        Refused: 403, the set is not open at the moment of receipt.
+        Refused: 403, the set is not open at the moment of receipt, or its student has left the course.
         KeyReused: The key was used with another body.
     """
     found = await bench.storage.keyed(dealt.owner.id, dealt.id, key, body) if key else None
     if found is None:
-        handing.refuse_unless_open(handing.own_window(place), received)
+        handing.refuse_unless_working(place, received)
     return found
 
 

@@ -35,12 +35,16 @@ SLOTS = select(slots).where(slots.c.task_set == bindparam("number")).order_by(sl
 GIVEN, OPENED, AMONG = accommodations.c, cards.alias().c, slots.alias().c
 EXTRA = GIVEN.task_set == task_sets.c.id
 THEIRS = OPENED.slot == AMONG.id, AMONG.task_set == task_sets.c.id, OPENED.person == cards.c.person
+ENROLLED = (
+    memberships.c.course == task_sets.c.course, memberships.c.person == cards.c.person, memberships.c.role == "student",
+)  # fmt: skip
 PLACE = (
     select(
         cards, task_sets,
         select(GIVEN.minutes).where(EXTRA, GIVEN.person == cards.c.person).scalar_subquery().label("extra"),
         select(func.max(GIVEN.minutes)).where(EXTRA).scalar_subquery().label("most"),
         select(func.min(OPENED.dealt)).where(*THEIRS).scalar_subquery().label("begun"),
+        exists().where(*ENROLLED).label("enrolled"),
     )
     .join_from(cards, slots).join(task_sets).where(cards.c.variant == bindparam("variant"))
 )  # fmt: skip
@@ -223,7 +227,7 @@ def _place(connection: Connection, variant: str) -> Place | None:
     theirs = map(deck.slot_of, connection.execute(SLOTS, {"number": row[task_sets.c.id]}).mappings())
     found = _task_set(row, theirs)
     slot = next(slot for slot in found.slots if slot.id == card.slot)
-    return Place(found, slot, card, row["extra"] or 0, row["begun"], row["most"] or 0)
+    return Place(found, slot, card, row["extra"] or 0, row["begun"], row["most"] or 0, row["enrolled"])
 
 
 def _reserved(connection: Connection, exercise: str, now: datetime) -> bool:

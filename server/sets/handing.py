@@ -70,6 +70,17 @@ def refuse_unless_open(found: Window, now: datetime) -> None:
         raise Refused(403, "set_closed")
 
 
+def refuse_unless_working(place: Place, now: datetime) -> None:
+    """Refuse work on a card before the set opens, after it has closed for its student, and after the student has left.
+
+    Raises:
+        Refused: 403, and from when it is open.
+    """
+    if not place.enrolled:
+        raise Refused(403, "left_course")
+    refuse_unless_open(own_window(place), now)
+
+
 def is_exam(place: Place) -> bool:
     """Tell whether the set is an examination."""
     return rules_of(place.task_set).mode == "exam"
@@ -132,7 +143,7 @@ async def another_card(bench: Bench, place: Place) -> Card:
     """
     now, person = datetime.now(UTC), place.card.person
     assert person is not None and place.card.variant is not None
-    refuse_unless_open(own_window(place), now)
+    refuse_unless_working(place, now)
     last = await bench.storage.latest(place.card.variant)
     if last is None or not faulty(last):
         raise Refused(403, "card_is_sound")

@@ -83,8 +83,8 @@ class Card:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a variant stands: its set, slot and card, how much longer its student may work, and since when; `most` is
-    the extra time of whoever has the most in the set."""
+    """Where a variant stands: its set, slot and card, how much longer its student may work, since when, and whether the
+    student is in the course still; `most` is the extra time of whoever has the most in the set."""
 
     task_set: TaskSet
     slot: Slot
@@ -92,6 +92,7 @@ class Place:
     extra: int
     begun: datetime | None
     most: int
+    enrolled: bool
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from tests.server.school import CODE, PASSWORD, School
+from tests.server.sets.conftest import Course
 
 
 def members(school: School) -> dict[str, str]:
@@ -28,9 +29,11 @@ def test_joining_again_changes_no_role(school: School) -> None:
 
 
 def test_a_roster_makes_students_and_changes_no_role(school: School) -> None:
+    place, lecturer = f"/api/v1/courses/{school.course}/roster", school.browser("lecturer")
     roster = "login;name;group;role\n4001;Ewa;A;lecturer\nassistant;A;A\nadministrator;Boss;A;administrator"
-    body = {"csv": roster, "apply": True}
-    assert school.browser("lecturer").post(f"/api/v1/courses/{school.course}/roster", json=body).status_code == 200
+    assert lecturer.post(place, json={"csv": roster, "apply": True}).status_code == 422  # there is no such column
+    body = {"csv": "4001;Ewa;lecturer\nassistant;A;A\nadministrator;Boss;administrator", "apply": True}
+    assert lecturer.post(place, json=body).status_code == 200
     roles = {"lecturer": "lecturer", "assistant": "assistant"}
     others = ("student", "other", "leaver", "4001", "administrator")
     assert members(school) == roles | dict.fromkeys(others, "student")
@@ -152,3 +155,22 @@ def test_taking_a_place_back_is_no_way_round(school: School) -> None:
     roster(stranger, stranger.get("/api/v1/courses").json()[0]["id"], "2001")
     reply = lecturer.post(f"/api/v1/courses/{school.course}/members/{person}/unclaim")
     assert (reply.status_code, reply.json()["error"]["code"]) == (403, "no_reset_elsewhere")
+
+
+def test_who_was_taken_out_of_a_course_works_in_its_sets_no_more(course: Course) -> None:
+    number = course.published(rules={"ladder": True, "hint_price": 0.2}, item={"attempts": None})
+    variant, place = course.variant(number), f"/api/v1/courses/{course.school.course}/members"
+    handed = course.hand_in(variant, {"l3": "9 m"}, "first").json()["receipt"]["id"]
+    person = course.school.people["student"]
+    assert course.lecturer.delete(f"{place}/{person}").status_code == 204
+    for refused in (
+        course.hand_in(variant, {"l3": "1 m"}),
+        course.student.post(f"/variants/{variant}", data={"answer.l3": "1 m"}),
+        course.student.post(f"/variants/{variant}/hints", data={"answer": "l3", "rung": "1"}),
+    ):
+        assert (refused.status_code, refused.json()["error"]["code"]) == (403, "left_course")
+    assert course.student.get(f"/api/v1/submissions/{handed}").status_code == 200  # what was handed in stays theirs
+    assert course.hand_in(variant, {"l3": "9 m"}, "first").status_code == 200
+    roster = {"csv": "student;Student", "apply": True}
+    assert course.lecturer.post(f"/api/v1/courses/{course.school.course}/roster", json=roster).status_code == 200
+    assert course.hand_in(variant, {"l3": "1 m"}).status_code == 201
