@@ -63,7 +63,7 @@ def _panel(one: Series, top: float) -> Iterator[Piece]:
     yield Line(one.style, tuple(complex(k * step, base + value * scale) for k, value in enumerate(one.values)))
     name = symbol(one.name)
     yield Text(complex(8, top + 6), name)
-    yield Text(complex(8 + name.width, top + 6), number(f", {one.unit}"))
+    yield Text(complex(8 + name.width, top + 6), number(f"[{one.unit}]"))
     yield Text(complex(-8, base - TEXT), number("0"), "end")
     for value, text in ((low, one.least), (high, one.largest)):
         if abs(value) * scale > 2.5 * TEXT:

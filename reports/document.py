@@ -37,11 +37,15 @@ class Heading:
 
 @dataclass(frozen=True, slots=True)
 class Paragraph:
-    """A line of text that wraps; quiet ones are notes; an aside stands at the end of the line, quietly."""
+    """A line of text that wraps.
+
+    Quiet ones are notes; an aside stands at the end of the line, quietly; a kept one stays on the page of what follows.
+    """
 
     line: Line
     quiet: bool = False
     aside: str = ""
+    kept: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +63,13 @@ class Drawing:
     svg: str
     description: str
     width: float = 0.8  # of the text's width
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """Drawings side by side, each in its share of the text's width."""
+
+    drawings: tuple[Drawing, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +100,7 @@ class Break:
     """A new page."""
 
 
-Block: TypeAlias = Heading | Paragraph | Bullets | Drawing | Table | Ruled | Facts | Break
+Block: TypeAlias = Heading | Paragraph | Bullets | Drawing | Beside | Table | Ruled | Facts | Break
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,20 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from reports.document import Block, Break, Bullets, Document, Drawing, Facts, Heading, Line, Paragraph, Ruled, Table
+from reports.document import (
+    Beside,
+    Block,
+    Break,
+    Bullets,
+    Document,
+    Drawing,
+    Facts,
+    Heading,
+    Line,
+    Paragraph,
+    Ruled,
+    Table,
+)
 from reports.formulas.latex import formula
 
 MARKS = re.compile(r"([\\`*_{}\[\]()#+\-.!|<>~$&])")
@@ -41,6 +54,10 @@ def _bullets(block: Bullets) -> str:
     return "\n".join(f"{f'{n}.' if block.numbered else '-'} {_line(item)}" for n, item in enumerate(block.lines, 1))
 
 
+def _drawing(block: Drawing) -> str:
+    return f"[{escaped(block.description)}]"
+
+
 def _row(cells: list[str]) -> str:
     return f"| {' | '.join(cells)} |"
 
@@ -59,7 +76,8 @@ def _facts(block: Facts) -> str:
 WRITERS: dict[type[Block], Callable[[Any], str]] = {
     Heading: _heading, Bullets: _bullets, Table: _table, Facts: _facts,
     Paragraph: _paragraph,
-    Drawing: lambda block: f"[{escaped(block.description)}]",
+    Drawing: _drawing,
+    Beside: lambda block: "\n\n".join(map(_drawing, block.drawings)),
     Ruled: lambda block: "\n\n".join(["&nbsp;"] * block.lines),
     Break: lambda block: "---",
 }  # fmt: skip

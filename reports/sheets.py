@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from exercises.exercise import Variant
 from exercises.grading import reference
 from exercises.presenting import Presented, presented
+from reports.answers import before_answer, right
 from reports.document import (
     Block,
     Break,
@@ -80,7 +81,7 @@ def _sheet(number: int, of: int, printed: Sheet, language: str) -> Iterator[Bloc
 def _answers(shown: Presented) -> Iterator[Block]:
     for number, asked in enumerate(shown.answers.values(), 1):
         unit = f" [{asked.unit_text}]" if asked.unit_text else ""
-        yield Paragraph((f"{number}. ", *line_from_html(asked.prompt_html), unit))
+        yield Paragraph((f"{number}. ", *line_from_html(asked.prompt_html), unit), kept=True)
         if asked.options:
             yield Bullets(tuple(line_from_html(html) for _, html in asked.options))
         else:
@@ -92,12 +93,12 @@ def key(dealt: Sequence[Sheet], language: str) -> Document:
     said = words(language)["sheet"]
     blocks: list[Block] = []
     for one in dealt:
-        blocks += [Heading(f"{said['variant']} {one.code}"), Bullets(tuple(_right(one)), numbered=True)]
+        blocks += [Heading(f"{said['variant']} {one.code}"), Bullets(tuple(_right(one, language)), numbered=True)]
     title = dealt[0].shown.title if dealt else ""
     return Document(said["key"], title, language, tuple(blocks), f"Grübler, {said['key']}")
 
 
-def _right(printed: Sheet) -> Iterator[Line]:
+def _right(printed: Sheet, language: str) -> Iterator[Line]:
     for name, asked in printed.shown.answers.items():
-        text = printed.right[name] if asked.kind != "text" else ""
-        yield (*line_from_html(asked.prompt_html), ": ", text.replace("\n", "; "))
+        answer, prompt = right(asked, printed.right[name], language), line_from_html(asked.prompt_html)
+        yield (*before_answer(prompt), *answer) if answer else prompt

@@ -7,7 +7,7 @@ student's own graded answers stand in the sections. No reference value ever does
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from exercises import catalogue, solving
 from exercises.exercise import Variant
@@ -17,7 +17,9 @@ from graders import Verdict
 from graders.language.mathml import mathml_of, symbol_mathml
 from graders.polygon.drawn import Drawn
 from graders.words import printed_unit
+from reports.answers import before_answer
 from reports.document import (
+    Beside,
     Block,
     Document,
     Drawing,
@@ -35,7 +37,7 @@ from reports.document import (
 from reports.motion import own_motion, plots
 from reports.words import Words, words
 
-ROOM = {4: 3, 9: 9, 11: 11, 12: 12, 13: 11}  # lines of ruled space in the sections
+ROOM = {4: 3, 9: 7, 11: 10, 12: 11, 13: 7}  # lines of ruled space in the sections
 SQUARED = {5: 7, 7: 3, 8: 6, 10: 13}
 
 
@@ -116,20 +118,25 @@ class _Sheet:
                 yield from self._equations(number)
             case _ if self.handed is not None and answers:
                 for name in answers:
-                    yield from self._answer(name)
+                    yield from self._answer(name, self.said["sections"][str(number)])
                 if number == 12:
                     yield from self._plots()
             case _:
                 yield Ruled(SQUARED[number], squared=True) if number in SQUARED else Ruled(ROOM[number])
 
     def _drawings(self) -> Iterator[Block]:
-        if self.shown.picture:
-            yield Drawing(self.shown.picture.svg, self.shown.title, 0.5)
+        scheme = Drawing(self.shown.picture.svg, self.shown.title, 0.42) if self.shown.picture else None
         drawn = self._polygon()
         own = drawn and catalogue.load(self.variant.exercise).polygon(
             self.variant.givens, self.said["sections"]["5"], [(v.label, v.start, v.end) for v in drawn.vectors]
         )
-        yield Drawing(own.svg, self.said["sections"]["5"], 0.5) if own else Ruled(SQUARED[5], squared=True)
+        polygon = Drawing(own.svg, self.said["sections"]["5"], 0.5) if own else None
+        if scheme is not None and polygon is not None:
+            yield Beside((replace(scheme, width=0.46), replace(polygon, width=0.46)))
+            return
+        yield from (one for one in (scheme, polygon) if one is not None)
+        if polygon is None:
+            yield Ruled(SQUARED[5], squared=True)
 
     def _data(self) -> Iterator[Block]:
         """The geometry in words, the givens as a table, the conventions."""
@@ -159,19 +166,20 @@ class _Sheet:
         for name, moved in (own_motion(self.variant, drawn) if drawn else {}).items():
             before, after = self.said["plots"].split("{name}")
             title = f"{before}{name}{after}"
-            yield Drawing(plots(name, moved, self.variant, title, self.language).svg, title, 0.6)
+            yield Drawing(plots(name, moved, self.variant, title, self.language).svg, title, 0.72)
             yield Paragraph((before, Formula(symbol_mathml(name)), after), quiet=True)
 
-    def _answer(self, name: str) -> Iterator[Block]:
-        """What is asked, what was typed as it was understood, and how it was judged."""
+    def _answer(self, name: str, heading: str) -> Iterator[Block]:
+        """What is asked unless the heading says it, what was typed as it was understood, and how it was judged."""
         assert self.handed is not None
         field_, text = self.shown.answers[name], self.handed.answers.get(name, "")
-        prompt = _before_answer(line_from_html(field_.prompt_html))
+        says = field_.prompt_text.rstrip(":") == heading.rstrip(":")
+        prompt = () if says else before_answer(line_from_html(field_.prompt_html))
         if not text.strip():
             yield Paragraph((*prompt, self.said["unanswered"]), quiet=True)
             return
         *lines, last = _understood(self.variant, name, text, self.language)
-        lines[:0] = [prompt] if lines else []
+        lines[:0] = [prompt] if lines and prompt else []
         yield from (Paragraph(line) for line in lines)
         yield Paragraph(last if lines else (*prompt, *last), aside=self._outcome(name))
 
@@ -185,7 +193,7 @@ class _Sheet:
         if self.handed is None or not self.handed.receipt:
             return
         score = "" if self.handed.score is None else f"{100 * self.handed.score:.0f} %"
-        keys = ("receipt", "received", "digest", "score")
+        keys = ("number", "received", "digest", "score")
         values = (self.handed.receipt, self.handed.received, self.handed.digest, score)
         yield Heading(self.said["receipt"])
         yield Facts(tuple((self.said[key], value) for key, value in zip(keys, values, strict=True)))
@@ -203,12 +211,6 @@ def read_polygon(variant: Variant, text: str) -> Drawn | None:
 
 def _written(text: str) -> Iterator[Block]:
     yield Paragraph((text,)) if text.strip() else Ruled(1)
-
-
-def _before_answer(prompt: Line) -> Line:
-    """Part what is asked from the answer: by a colon, unless a question or a colon stands there."""
-    last = prompt[-1] if prompt else ""
-    return (*prompt, " " if isinstance(last, str) and last.rstrip().endswith(("?", ":")) else ": ")
 
 
 def _understood(variant: Variant, name: str, text: str, language: str) -> list[Line]:

@@ -7,6 +7,7 @@ from typing import Any
 
 from figures.paper import on_paper
 from reports.document import (
+    Beside,
     Block,
     Break,
     Bullets,
@@ -64,8 +65,10 @@ def _heading(block: Heading) -> str:
 def _paragraph(block: Paragraph) -> str:
     inner = line(block.line)
     if block.aside:
-        inner += f" #h(1fr) #box(text(size: 9pt, fill: luma(70))[#{quoted(block.aside)}])"
-    return f"#block[#text(size: 9pt, fill: luma(70))[{inner}]]" if block.quiet else f"#block[{inner}]"
+        note = f"text(size: 9pt, fill: luma(70))[#{quoted(block.aside)}]"
+        inner = f"#grid(columns: (1fr, auto), column-gutter: 1em, align: bottom, [{inner}], {note})"
+    inner = f"#text(size: 9pt, fill: luma(70))[{inner}]" if block.quiet else inner
+    return f"#block{'(sticky: true)' if block.kept else ''}[{inner}]"
 
 
 def _bullets(block: Bullets) -> str:
@@ -74,9 +77,18 @@ def _bullets(block: Bullets) -> str:
 
 
 def _drawing(block: Drawing) -> str:
-    svg, alt = quoted(on_paper(block.svg)), quoted(block.description)
-    share = f"{100 * block.width:g}%"
-    return f'#align(center)[#image(bytes({svg}), format: "svg", width: {share}, alt: {alt})]'
+    return f"#align(center)[#{_image(block, f'{100 * block.width:g}%')}]"
+
+
+def _beside(block: Beside) -> str:
+    shares = "".join(f"{drawing.width:g}fr, " for drawing in block.drawings)
+    images = ", ".join(_image(drawing, "100%") for drawing in block.drawings)
+    return f"#grid(columns: ({shares}), column-gutter: 1em, align: bottom, {images})"
+
+
+def _image(drawing: Drawing, width: str) -> str:
+    svg, alt = quoted(on_paper(drawing.svg)), quoted(drawing.description)
+    return f'image(bytes({svg}), format: "svg", width: {width}, alt: {alt})'
 
 
 def _table(block: Table) -> str:
@@ -105,5 +117,6 @@ def _facts(block: Facts) -> str:
 
 WRITERS: dict[type[Block], Callable[[Any], str]] = {
     Heading: _heading, Paragraph: _paragraph, Bullets: _bullets, Drawing: _drawing, Table: _table, Ruled: _ruled,
+    Beside: _beside,
     Facts: _facts, Break: lambda block: "#pagebreak()",
 }  # fmt: skip

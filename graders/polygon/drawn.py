@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
-from graders.language.mathml import mathml_of
+from graders.language.mathml import mathml_of, symbol_mathml
 from graders.language.text import text_of
 from graders.language.tree import Binary, Relation, Tree, names
 
@@ -75,7 +75,7 @@ class Drawn:
         """Give every line as text and as the inside of MathML."""
         for v in self.vectors:
             text = f"{v.label}: {v.start} > {v.end}, length {text_of(v.length)}, angle {text_of(v.angle)}"
-            inner = [_word(v.label), "<mo>:</mo>", _word(v.start), "<mo>→</mo>", _word(v.end), "<mo>,</mo>"]
+            inner = [_symbol(v.label), "<mo>:</mo>", _word(v.start), "<mo>→</mo>", _word(v.end), "<mo>,</mo>"]
             inner += [_inner(v.length, comma), "<mo>∠</mo>", _inner(v.angle, comma)]
             yield text, "".join(inner)
         for closure in self.closures:
@@ -83,7 +83,7 @@ class Drawn:
         yield from equation_lines(self.equations, comma)
         if self.unknowns is not None:
             listed = "; ".join(self.unknowns)
-            yield f"unknowns: {listed}", f"<mtext>{listed}</mtext>"
+            yield f"unknowns: {listed}", "<mo>;</mo>".join(map(_symbol, self.unknowns))
 
 
 def equation_lines(equations: tuple[Equation, ...], comma: bool) -> Iterator[tuple[str, str]]:
@@ -100,9 +100,17 @@ def sheet(lines: Iterator[tuple[str, str]]) -> tuple[str, str]:
     return f'<math><mtable columnalign="left">{rows}</mtable></math>', "\n".join(text for text, _ in both)
 
 
+def _symbol(name: str) -> str:
+    return _bare(symbol_mathml(name))
+
+
 def _word(text: str) -> str:
     return f"<mi>{text}</mi>"
 
 
 def _inner(tree: Tree, comma: bool) -> str:
-    return mathml_of(tree, comma).removeprefix("<math>").removesuffix("</math>")
+    return _bare(mathml_of(tree, comma))
+
+
+def _bare(mathml: str) -> str:
+    return mathml.removeprefix("<math>").removesuffix("</math>")

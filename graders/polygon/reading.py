@@ -9,7 +9,7 @@ from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols, key, latin
-from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, names, walk
+from graders.language.tree import Binary, Grid, Index, Name, Number, Relation, Tree, Unary, mapped, names, walk
 from graders.polygon import keywords
 from graders.polygon.drawn import Axis, Closure, Drawn, Equation, Vector
 from graders.polygon.lines import Line, fields_of, folded, label_of, lines_of, new_names, words_of
@@ -274,7 +274,7 @@ def _closure(body: Piece, vectors: tuple[Vector, ...]) -> Closure:
                 raise body.error(Reason.NOT_A_CLOSURE)
             label, sense = alias[name]
             walked[label] = walked.get(label, 0.0) + sign * sense * factor
-    return Closure(tree, tuple((label, factor) for label, factor in walked.items() if factor))
+    return Closure(_spelled(tree, vectors), tuple((label, factor) for label, factor in walked.items() if factor))
 
 
 def _linear(tree: Tree, body: Piece) -> Mapping[str, float]:
@@ -325,3 +325,13 @@ def _listed(piece: Piece, symbols: Symbols) -> list[str]:
 
 def _parsed(piece: Piece, symbols: Symbols) -> Tree:
     return piece.read(lambda text: parse(text, symbols))
+
+
+def _spelled(tree: Relation, vectors: tuple[Vector, ...]) -> Relation:
+    """Write the vectors of a closure as their lines do: `r_x`, which is read as `rx`."""
+    spelt = {key(vector.label): vector.label for vector in vectors}
+
+    def named(node: Tree) -> Tree:
+        return Name(spelt.get(node.name, node.name)) if isinstance(node, Name) else node
+
+    return Relation(tree.operators, tuple(mapped(side, named) for side in tree.sides))

@@ -2,18 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from xml.sax.saxutils import escape
 
 from reports.formulas import FUNCTIONS, Node, read
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
+LEAST = 12  # letters of a piece before a line may break
 ACCENTS = {"˙": "\u0307", "¨": "\u0308", "→": "\u20d7", "¯": "\u0304"}
 
 
 def formula(mathml: str) -> str:
     """Write a formula as one `m:oMath` element."""
     return f'<m:oMath xmlns:m="{NAMESPACE}">{_written(read(mathml))}</m:oMath>'
+
+
+def pieces(mathml: str) -> list[str]:
+    """Write a formula as elements between which a line may break: a long sum before each sign that parts its terms."""
+    found: list[list[Node]] = [[]]
+    for node in _terms(read(mathml)):
+        if found[-1] and node.kind == "operator" and node.text in "+−" and len(_letters(found[-1])) >= LEAST:
+            found.append([])
+        found[-1].append(node)
+    return [f'<m:oMath xmlns:m="{NAMESPACE}">{"".join(map(_written, piece))}</m:oMath>' for piece in found]
+
+
+def _terms(node: Node) -> Iterator[Node]:
+    """Give the parts of a row, those of the rows in it too."""
+    if node.kind != "row":
+        yield node
+    for part in node.parts if node.kind == "row" else ():
+        yield from _terms(part)
+
+
+def _letters(nodes: Iterable[Node]) -> str:
+    return "".join(node.text + _letters(node.parts) for node in nodes)
 
 
 def _written(node: Node) -> str:

@@ -14,7 +14,7 @@ from exercises.exercise import Submission
 from exercises.grading import grade, reference
 from exercises.solving import solved
 from reports import formats
-from reports.document import Document, Drawing, Formula, Heading, Paragraph, Ruled, Table, plain
+from reports.document import Beside, Document, Drawing, Formula, Heading, Paragraph, Ruled, Table, plain
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
 
 POLISH = [  # the form, domain RP-1
@@ -65,6 +65,12 @@ def texts(document: Document) -> str:
     return "\n".join(found)
 
 
+def formulas(document: Document) -> list[str]:
+    """The formulas in the lines of a document."""
+    lines = [block.line for block in document.blocks if isinstance(block, Paragraph)]
+    return [run.mathml for line in lines for run in line if isinstance(run, Formula)]
+
+
 def test_the_polish_headings_are_those_of_the_form() -> None:
     assert [block.text for block in report().blocks if isinstance(block, Heading)] == POLISH
 
@@ -100,13 +106,36 @@ def vars_of(givens: object) -> list[float]:
 def test_a_filled_report_holds_the_students_own_answers_and_the_receipt() -> None:
     said = texts(filled(conclusions="Podwojenie długości zwiększa prędkość."))
     assert "Podwojenie długości zwiększa prędkość." in said and "u prowadzącego" in said and "dobrze" in said
-    assert sum(isinstance(block, Drawing) for block in filled().blocks) == 4  # scheme, polygon, plots of x and y
+    (beside,) = [block for block in filled().blocks if isinstance(block, Beside)]
+    assert len(beside.drawings) == 2  # scheme and polygon
+    assert sum(isinstance(block, Drawing) for block in filled().blocks) == 2  # plots of x and y
     assert not any(isinstance(block, Ruled) and block.squared for block in filled().blocks)
 
 
 def test_an_answer_that_was_not_given_or_not_read_is_said_so() -> None:
     said = texts(filled(x_D="", y_D="3 +* ("))
     assert "brak odpowiedzi" in said and "3 +* (" in said and "nie odczytano" in said
+
+
+def test_a_heading_that_asks_is_not_said_again() -> None:
+    assert "Wyznaczyć ruch chwytaka." in texts(filled(aim="Wyznaczyć ruch chwytaka."))
+    lines = [plain(b.line) for b in filled(aim="Wyznaczyć ruch.").blocks if isinstance(b, Paragraph)]
+    assert "Wyznaczyć ruch." in lines and not any(line.startswith("Cel ćwiczenia") for line in lines)
+
+
+def test_a_vector_is_written_in_the_equation_as_in_its_line() -> None:
+    assert any("<msub><mi>r</mi><mi>x</mi></msub>" in one and "<mi>l</mi>" in one for one in formulas(filled()))
+
+
+@pytest.mark.parametrize("language", ["pl", "en", "ru"])
+@pytest.mark.parametrize("exercise", LABORATORIES)
+def test_a_skeleton_fills_four_pages(exercise: str, language: str) -> None:
+    content = formats.written(report(exercise, language=language), "pdf")
+    assert int(re.search(rb"/Count (\d+)", content)[1]) == 4  # type: ignore[index]
+
+
+def test_how_an_answer_was_judged_stands_at_the_end_of_its_last_line() -> None:
+    assert "columns: (1fr, auto)" in formats.written(filled(), "typ").decode()
 
 
 def test_an_unreadable_polygon_leaves_the_room_to_draw_it() -> None:
@@ -138,6 +167,26 @@ def test_the_docx_has_headings_equations_and_pictures_with_words() -> None:
     assert heads[:13] == POLISH
     xml = zipfile.ZipFile(io.BytesIO(content)).read("word/document.xml").decode()
     assert xml.count("<m:oMath") > 20 and re.search(r'descr="[^"]+"', xml)
+    looks = zipfile.ZipFile(io.BytesIO(content)).read("word/styles.xml").decode()
+    for name in ("Title", "Heading1"):
+        style = looks[looks.index(f'w:styleId="{name}"') :].split("</w:style>")[0]
+        assert "Theme" not in style and "w:color" not in style and "Times New Roman" in style
+
+
+def test_each_ruled_line_of_a_docx_is_drawn() -> None:
+    """Paragraphs with the same border below count as one block: a line between them has to be asked for."""
+    xml = zipfile.ZipFile(io.BytesIO(formats.written(report(), "docx"))).read("word/document.xml").decode()
+    assert xml.count("<w:between ") == xml.count("<w:bottom ") > 40
+
+
+def test_a_long_sum_of_a_docx_can_break_before_its_terms() -> None:
+    from reports.formulas import omml
+
+    longest = max(formulas(filled()), key=len)
+    assert len(omml.pieces(longest)) > 3 and omml.pieces("<math><mi>a</mi><mo>+</mo><mi>b</mi></math>") == [
+        omml.formula("<math><mi>a</mi><mo>+</mo><mi>b</mi></math>")
+    ]
+    assert all(re.findall(r"<m:t[^>]*>(.*?)</m:t>", piece)[0] in "+−" for piece in omml.pieces(longest)[1:])
 
 
 @pytest.mark.parametrize("language", ["pl", "en", "ru"])
