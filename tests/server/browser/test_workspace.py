@@ -11,14 +11,15 @@ from playwright.sync_api import Browser, Page, expect
 from exercises import grading
 from exercises.solving import solved
 from exercises.variants import deal
-from tests.server.browser import components
+from graders import KINDS
+from tests.server.browser import components, posing
 from tests.server.browser.walking import desk
 from tests.server.conftest import Live
 
 TASKS = {
     "gear_train": ("z4", "u_formula", "u", "sense"), "planetary": ("u0",), "rrr_inverse": ("q",),
     "rrp_table": ("P", "A1"), "beam_diagrams": ("V",), "beam_deflection": ("M",), "slider_crank_cycle": ("cycle",),
-    "slider_crank_polygon": ("polygon", "velocities"),
+    "slider_crank_polygon": ("polygon", "velocities"), "offset_slider_crank": ("position", "turning"),
 }  # fmt: skip
 OFF = ("v-wrong", "v-partly")
 SAVED = "[data-draft-state]:text('saved')"
@@ -32,9 +33,19 @@ def texts(exercise: str, name: str) -> tuple[str, str, str]:
     return shown.right[0], shown.wrong[0], next(text for text in shown.unreadable if text.strip())
 
 
+def tick(page: Page, name: str, wanted: list[str]) -> None:
+    """Tick these boxes of an answer and no others by the space bar."""
+    for box in page.locator(f"[name='answer.{name}']").all():
+        if box.is_checked() != (box.get_attribute("value") in wanted):
+            box.press("Space")
+
+
 def type_in(page: Page, name: str, text: str) -> bool:
     """Type an answer by keyboard; False where it cannot be typed, as an unreadable choice."""
     field = page.locator(f"[name='answer.{name}']").first
+    if field.get_attribute("type") == "checkbox":
+        tick(page, name, text.split("; "))
+        return True
     if field.get_attribute("type") == "radio":
         option = page.locator(f"[name='answer.{name}'][value='{text}']")
         if option.count() == 0:
@@ -51,6 +62,18 @@ def type_in(page: Page, name: str, text: str) -> bool:
     return True
 
 
+def outcome(page: Page, name: str) -> set[str]:
+    """The classes of the verdict that stands by an answer."""
+    line = page.locator(f"li.answer:has([name='answer.{name}'])")
+    return set((line.locator(".verdict").get_attribute("class") or "").split())
+
+
+def test_every_kind_is_among_those_that_are_answered_here() -> None:
+    tasks = {exercise: solved(deal(exercise, 7)).answers for exercise in TASKS}
+    asked = {tasks[exercise][name].kind for exercise, names in TASKS.items() for name in names}
+    assert asked | set(posing.POSED) == set(KINDS)
+
+
 @pytest.mark.parametrize("exercise", TASKS)
 def test_each_kind_is_answered_right_wrong_and_unreadably_by_keyboard(page: Page, site: Live, exercise: str) -> None:
     desk(page, site.url, exercise)
@@ -59,9 +82,24 @@ def test_each_kind_is_answered_right_wrong_and_unreadably_by_keyboard(page: Page
         with page.expect_navigation():
             page.keyboard.press("Control+Enter")
         for name in typed:
-            line = page.locator(f"li.answer:has([name='answer.{name}'])")
-            seen = (line.locator(".verdict").get_attribute("class") or "").split()
-            assert set(seen) & set(outcomes), (name, seen, texts(exercise, name)[place])
+            seen = outcome(page, name)
+            assert seen & set(outcomes), (name, seen, texts(exercise, name)[place])
+
+
+def test_kinds_without_an_exercise_are_answered_right_wrong_and_unreadably_by_keyboard(page: Page, site: Live) -> None:
+    posing.page(page, site.url)
+    for outcomes, place in ((("v-right",), 0), (OFF, 1), (("v-unread",), 2)):
+        wanted = {kind: text for kind in posing.POSED if (text := posing.texts(kind)[place]) is not None}
+        for kind, text in wanted.items():
+            type_in(page, kind, text)
+        with page.expect_navigation():
+            page.keyboard.press("Control+Enter")
+        for kind, text in wanted.items():
+            assert outcome(page, kind) & set(outcomes), (kind, outcome(page, kind), text)
+    type_in(page, "text", "The rod turns back.")
+    with page.expect_navigation():
+        page.keyboard.press("Control+Enter")
+    assert "v-undecided" in outcome(page, "text")
 
 
 def test_a_grid_is_filled_and_echoed_by_keyboard(page: Page, site: Live) -> None:
