@@ -1,6 +1,7 @@
 """What a student's relations say, as plain lists that a page can evaluate without running any text.
 
-A formula is a number, a name, or a list of an operation and its formulas: `["+", "l1", ["*", 2, "l2"]]`.
+A formula is a number, a name, or a list of an operation and its formulas: `["+", "l1", ["*", 2, "l2"]]`. A diagram
+is the rows of its table.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from typing import Any, TypeAlias
 
 from exercises import solving
 from exercises.exercise import Variant
+from graders import Diagram
 from graders.language.errors import AnswerSyntaxError
 from graders.language.tree import Angle, Binary, Call, Name, Number, Tree, Unary
 from graders.polygon.drawn import Drawn, Equation
@@ -30,8 +32,12 @@ def relations(variant: Variant, answer: str, text: str) -> dict[str, Json] | Non
         KeyError: The exercise does not ask for this answer.
     """
     solved = solving.solved(variant)
+    grader = solved.answers[answer]
     try:
-        return _listed(solved.answers[answer].parse(text, solved.symbols(answer)))
+        read = grader.parse(text, solved.symbols(answer))
+        if isinstance(grader, Diagram):
+            return {"rows": grader.rows(read, getattr(variant.givens, "L", None))}
+        return _listed(read)
     except (AnswerSyntaxError, OverflowError):
         return None
 

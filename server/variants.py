@@ -106,7 +106,7 @@ class ShownVariant(BaseModel):
 
 
 class Question(BaseModel):
-    """One typed line; `relations` asks for its formulas as lists besides."""
+    """One typed line; `relations` asks for its formulas as lists besides, of a diagram for its table."""
 
     model_config = ConfigDict(extra="forbid", json_schema_extra={"examples": [{"answer": "l3", "text": "1,25 m"}]})
     answer: Typed
@@ -118,7 +118,8 @@ class Understood(BaseModel):
     """What was read, or why nothing could be; the same for every seed.
 
     `ok` tells which; positions are 0-based code points of the text as typed. `relations` holds the formulas of a
-    polygon, of its derivatives or of an expression: a number, a name, or a list of an operation and its formulas.
+    polygon, of its derivatives or of an expression: a number, a name, or a list of an operation and its formulas; of a
+    diagram it holds the `rows` of its table.
     """
 
     ok: bool

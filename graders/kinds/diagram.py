@@ -13,7 +13,7 @@ from graders.profile.drawn import Axes, Part, is_table, read_parts, read_table
 from graders.profile.echoes import echoed
 from graders.profile.marks import Comparison, compare, idle_share
 from graders.profile.polynomial import NotPolynomialError
-from graders.profile.stretches import Profile, Rows, Stretch, highest, inner_places, profile_of, rows_of
+from graders.profile.stretches import Profile, Rows, Stretch, highest, inner_places, ordinates_of, profile_of, rows_of
 from graders.remarks import Remarks
 from graders.units import read_unit
 from graders.verdict import RIGHT, Code, Verdict, wrong
@@ -130,6 +130,27 @@ class Diagram:
         heads = [_head(part, place) for part in answer.parts]
         return echoed(heads, [part.tree for part in answer.parts], comma, self.unit)
 
+    def rows(self, answer: Drawn, span: float | None) -> list[list[float | None]] | None:
+        """Give the curve as rows of the table at the field, in its units.
+
+        Args:
+            answer: The diagram as read.
+            span: Where a formula without a range ends, in metres; None where that is not given.
+
+        Returns:
+            Place, ordinate left and right of it and half-way to the next; None for a curve that no table holds.
+        """
+        if span is None and not answer.table and any(part.start is None for part in answer.parts):
+            return None
+        try:
+            found = ordinates_of(answer.over(0.0, span or 1.0))
+        except NotPolynomialError:
+            return None
+        if found is None:
+            return None
+        place, factor = read_unit(self.x_unit).factor, read_unit(self.unit).factor
+        return [[x / place, *(_in_unit(one, factor) for one in ordinates)] for x, *ordinates in found]
+
     def carried(self, answer: Drawn) -> Rows | None:
         """Give the typed curve where it names its own span."""
         if not answer.table and any(part.start is None for part in answer.parts):
@@ -163,6 +184,10 @@ def _head(part: Part, place: float) -> str:
     if part.start is None or part.end is None:
         return ""
     return f"{part.start / place:.6g} .. {part.end / place:.6g}"
+
+
+def _in_unit(ordinate: float | None, factor: float) -> float | None:
+    return None if ordinate is None else float(f"{ordinate / factor:.10g}")
 
 
 def _scaled(profile: Profile, factor: float) -> Profile:

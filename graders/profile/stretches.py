@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import TypeAlias
 
 from graders.profile.polynomial import Polynomial, shifted, value
 
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
+Ordinates: TypeAlias = tuple[float, float, float | None, float | None]
+NEGLIGIBLE = 1e-9  # of the largest ordinate, and of a place
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,3 +69,32 @@ def covering(profile: Sequence[Stretch], start: float, end: float) -> Stretch | 
         if one.start <= middle <= one.end:
             return one.part(start, end)
     return None
+
+
+def ordinates_of(profile: Sequence[Stretch]) -> tuple[Ordinates, ...] | None:
+    """Write a curve as rows of a table: a place, the ordinates left and right of it, and that half-way to the next.
+
+    Args:
+        profile: The stretches, from left to right, in SI units.
+
+    Returns:
+        A row for each end of a stretch. Right of a place nothing stands where the curve does not jump, half-way nothing
+        where it runs straight. None for a curve that no table holds: with a gap, or of a degree above two.
+    """
+    least = NEGLIGIBLE * highest(profile)
+    rows = [_row(one, before, least) for before, one in zip((None, *profile), profile, strict=False)]
+    gaps = any(abs(one.end - other.start) > NEGLIGIBLE * abs(one.end) for one, other in pairwise(profile))
+    if gaps or any(row is None for row in rows):
+        return None
+    last = profile[-1]
+    return (*filter(None, rows), (last.end, last.at(last.end), None, None))
+
+
+def _row(one: Stretch, before: Stretch | None, least: float) -> Ordinates | None:
+    length = one.end - one.start
+    if any(abs(c) * length**power > least for power, c in enumerate(one.curve) if power > 2):
+        return None
+    left, right, end = before.at(before.end) if before else one.at(one.start), one.at(one.start), one.at(one.end)
+    middle = one.at(one.start + length / 2)
+    bent, jumps = abs(middle - (right + end) / 2) > least, abs(right - left) > least
+    return one.start, left, right if jumps else None, middle if bent else None

@@ -16,9 +16,11 @@ import { sketch } from "./ts/sketch.ts";
 import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
 import { showSymbols } from "./ts/symbols.ts";
+import { keepInStep } from "./ts/twin.ts";
 import { offerVisual } from "./ts/visual.ts";
 
 document.querySelectorAll<HTMLElement>("[data-polygon]").forEach(buildPolygon);
+document.querySelectorAll<HTMLTextAreaElement>("textarea[data-twin]").forEach(keepInStep);
 document.querySelectorAll<HTMLElement>("[data-sketch]").forEach(sketch);
 document.querySelectorAll<HTMLElement>("[data-order]").forEach(orderList);
 document.querySelectorAll<HTMLElement>("[data-drop]").forEach(takeFiles);

@@ -237,6 +237,33 @@ def test_diagrams_lie_apart_by_their_largest_difference_in_tolerances() -> None:
     assert MOMENT.apart(((0, 3, 0.0),), ((0, 3, 0.0),)) == 0
 
 
+def as_table(text: str, judge: Diagram = MOMENT, span: float | None = None) -> str | None:
+    rows = judge.rows(judge.parse(text, NOTHING), span)
+    return (
+        None
+        if rows is None
+        else "\n".join("; ".join("" if cell is None else f"{cell:.10g}" for cell in row) for row in rows)
+    )
+
+
+@pytest.mark.parametrize(("judge", "rows"), [(MOMENT, M), (SHEAR, V)])
+def test_a_diagram_typed_in_pieces_is_the_same_as_its_table(judge: Diagram, rows: Rows) -> None:
+    table = as_table(judge.show(rows), judge)
+    assert table is not None and judged(table, judge, rows).code is Code.RIGHT
+    assert as_table(table, judge) == table
+
+
+def test_a_table_says_only_where_the_curve_jumps_and_bends() -> None:
+    assert as_table("0 .. 1500 mm: 2 kN*m; 1500 mm .. 4000 mm: 1") == "0; 2; ; \n1.5; 2; 1; \n4; 1; ; "
+    assert as_table("0 .. 2: x^2; 2 .. 4: 4") == "0; 0; ; 1\n2; 4; ; \n4; 4; ; "
+    assert as_table("7.5*x - 6*<x - 1.5>^1", span=4.0) == "0; 0; ; \n1.5; 11.25; ; \n4; 15; ; "
+
+
+@pytest.mark.parametrize("text", ["0 .. 1: 4; 2 .. 3: 1", "0 .. 2: x^3", "7*x", "0 .. 2: 1/<x - 3>^0"])
+def test_a_curve_that_no_table_holds_has_none(text: str) -> None:
+    assert as_table(text) is None
+
+
 numbers = st.floats(-9, 9).map(lambda x: round(x, 3))
 
 

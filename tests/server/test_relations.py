@@ -58,3 +58,13 @@ def test_what_the_student_says_of_a_rate_comes_along() -> None:
 )
 def test_what_holds_no_formula_of_doubles_gives_none(answer: str, text: str) -> None:
     assert relations(deal("slider_crank_polygon", 7), answer, text) is None
+
+
+def test_a_diagram_gives_the_rows_of_its_table_over_the_bar_of_the_task() -> None:
+    beam = deal("beam_diagrams", 7)
+    assert relations(beam, "V", "0 .. 2: 4; 2 .. 3: 1 - x") == {
+        "rows": [[0.0, 4.0, None, None], [2.0, 4.0, -1.0, None], [3.0, -2.0, None, None]]
+    }
+    found = relations(beam, "V", "4 - 2*x")
+    assert found is not None and found["rows"][-1][:2] == [beam.givens.L, 4 - 2 * beam.givens.L]
+    assert relations(beam, "V", "0 .. 1: x^3") == {"rows": None}

@@ -63,15 +63,21 @@ function slots(form: HTMLFormElement): Map<string, Slot> {
 const isTick = (field: Field): field is HTMLInputElement =>
   field instanceof HTMLInputElement && (field.type === "radio" || field.type === "checkbox");
 
-function joiner(slot: Slot): (rows: string[][]) => string {
-  return slot.cells[0]?.[0]?.closest("[data-join='table']") ? joinTable : joinGrid;
+/** How the cells of a table or of a grid are written as one text. */
+export function joinerOf(cells: HTMLInputElement[][]): (rows: string[][]) => string {
+  return cells[0]?.[0]?.closest("[data-join='table']") ? joinTable : joinGrid;
+}
+
+/** The cells of the answer that a field belongs to, row by row. */
+export function cellsOf(form: HTMLFormElement, field: Field): HTMLInputElement[][] {
+  return Array.from(slots(form).values()).find((slot) => slot.plain.includes(field))?.cells ?? [];
 }
 
 function textOf(slot: Slot): string {
   const ticked = slot.plain.filter((field) => !isTick(field) || field.checked);
   const text = ticked.map((field) => field.value).join("; ");
   if (text.trim() !== "" || slot.cells.length === 0) return text;
-  return joiner(slot)(slot.cells.map((row) => row.map((cell) => cell.value)));
+  return joinerOf(slot.cells)(slot.cells.map((row) => row.map((cell) => cell.value)));
 }
 
 export function readAnswers(form: HTMLFormElement): Answers {
@@ -100,10 +106,10 @@ export function writeAnswer(form: HTMLFormElement, name: string, text: string): 
   if (slot === undefined) return;
   const ticks = slot.plain.filter(isTick);
   if (ticks.length > 0) return tick(ticks, text);
-  const columns = slot.cells[0]?.length ?? 0;
-  const apart = columns > 0 && text !== "" ? split(text, slot.cells.length, columns, joiner(slot)) : null;
+  for (const field of slot.plain) set(field, text); // cells beside it follow
+  if (slot.plain.length > 0) return;
+  const apart = text === "" ? null : split(text, slot.cells.length, slot.cells[0]?.length ?? 0, joinerOf(slot.cells));
   slot.cells.forEach((row, r) => row.forEach((cell, c) => set(cell, apart?.[r]?.[c] ?? "")));
-  for (const field of slot.plain) set(field, apart === null ? text : "");
 }
 
 /** The name and the whole text of the answer that a field belongs to. */

@@ -7,11 +7,11 @@ async function refusal(reply: Response): Promise<Preview | null> {
   return typeof said === "string" ? { ok: false, message: said, position: null } : null;
 }
 
-/** The preview of a text; null when there is none now. */
-export async function ask(url: string, answer: string, text: string): Promise<Preview | null> {
+/** The preview of a text, with the rows of a diagram where `relations` asks for them; null when there is none now. */
+export async function ask(url: string, answer: string, text: string, relations = false): Promise<Preview | null> {
   const headers = { "Content-Type": "application/json", "Accept-Language": document.documentElement.lang };
   try {
-    const reply = await fetch(url, { method: "POST", headers, body: JSON.stringify({ answer, text }) });
+    const reply = await fetch(url, { method: "POST", headers, body: JSON.stringify(relations ? { answer, text, relations } : { answer, text }) });
     if (reply.status === 429) return await refusal(reply);
     return reply.ok ? readPreview(await reply.json()) : null;
   } catch {

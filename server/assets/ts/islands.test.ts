@@ -11,12 +11,14 @@ import { allowsAttribute, allowsElement } from "./mathml.ts";
 import { neighbour } from "./matrix.ts";
 import { merge, same } from "./merge.ts";
 import { lettersOf, moved } from "./order.ts";
+import { senseOf } from "./polygon.ts";
 import { read, write } from "./polygon_text.ts";
 import { readPreview, turnstile } from "./preview.ts";
 import {
   inserted, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, type Place,
 } from "./sketch_model.ts";
 import { keystroke, nextKey } from "./symbols.ts";
+import { entriesOf } from "./twin.ts";
 import { latexOf } from "./visual.ts";
 
 test("an answer field is told from any other field by its name", () => {
@@ -43,9 +45,15 @@ test("no attribute can run, link, style or name anything", () => {
 });
 
 test("a preview is read in its declared shape and anything else is no preview", () => {
-  const good = { ok: true, mathml: "<math></math>", text: "1 mm", latex: "1", unit: "mm", note: null };
+  const good = { ok: true, mathml: "<math></math>", text: "1 mm", latex: "1", unit: "mm", note: null, rows: null };
   assert.deepEqual(readPreview(good), good);
-  assert.deepEqual(readPreview({ ok: true, mathml: "" }), { ok: true, mathml: "", text: "", latex: "", unit: null, note: null });
+  const rows = [[0, 4, null, 1.5], [2, 1, null, null]];
+  assert.deepEqual(readPreview({ ...good, relations: { rows } }), { ...good, rows });
+  for (const relations of [{ rows: [[0, 1]] }, { rows: [["0", 1, null, null]] }, { formula: "x" }]) {
+    assert.deepEqual(readPreview({ ...good, relations }), good);
+  }
+  const least = { ok: true, mathml: "", text: "", latex: "", unit: null, note: null, rows: null };
+  assert.deepEqual(readPreview({ ok: true, mathml: "" }), least);
   const bad = { ok: false, message: "Not read.", position: 7 };
   assert.deepEqual(readPreview(bad), bad);
   for (const reply of [null, "ok", 1, [], {}, { ok: true }, { ok: false }, { error: { code: "x" } }]) {
@@ -145,6 +153,15 @@ test("a grid is one text, and only that text is a grid again", () => {
   for (const text of ["[[1,c1],[;0]]", "[[1; 2]]", "x", "[[1; 2], [3; 4], [5; 6]]"]) assert.equal(split(text, 2, 2, joinGrid), null);
 });
 
+test("a matrix is taken apart however it is typed, and no other text is", () => {
+  assert.deepEqual(entriesOf(" [[a, -b], [atan2(c; d), 1]]", 2, 2), [["a", "-b"], ["atan2(c; d)", "1"]]);
+  assert.deepEqual(entriesOf("[[1,5; 2]; [0; 1]]", 2, 2), [["1,5", "2"], ["0", "1"]]);
+  assert.deepEqual(entriesOf("[1; 2]", 2, 1), [["1"], ["2"]]);
+  assert.deepEqual(entriesOf("[[1], [2]]", 2, 1), [["1"], ["2"]]);
+  assert.deepEqual(entriesOf("[1, 2]", 1, 2), [["1", "2"]]);
+  for (const text of ["", "x", "[1, 2]", "[[1, 2]]", "[[1, 2], [3]]", "A1*A2"]) assert.equal(entriesOf(text, 2, 2), null);
+});
+
 test("a table of a diagram leaves out what is empty", () => {
   const rows = [["0", "0", "4", ""], ["", "", "", ""], ["2", "-1", "", "0,5"], ["3", "", "", ""]];
   const text = "0; 0; 4\n2; -1; ; 0,5\n3; ";
@@ -169,6 +186,7 @@ test("keys move a handle the way it is seen and + and - by its value", () => {
   assert.deepEqual(moveOf("ArrowUp", true, true), { x: 0, value: -10 });
   assert.deepEqual(moveOf("+", false, true), { x: 0, value: 1 });
   assert.deepEqual(moveOf("ArrowLeft", false, true), { x: -1, value: 0 });
+  assert.deepEqual(moveOf("PageDown", false, true), { x: 0, value: 10 });
   assert.equal(moveOf("Tab", false, false), null);
 });
 
@@ -214,6 +232,17 @@ test("a line that the rows have no place for is kept as typed", () => {
   assert.deepEqual(sheet.rest, ["x2: a = 0", "what", "closure: l1 = l3"]);
   assert.equal(read("l1: A > Q, length 1, angle 0", ["A", "B"]).rest.length, 1);
   assert.equal(write(read("", ["A"])), "");
+});
+
+test("a key in a row of the builder leaves it, goes on or takes it away", () => {
+  assert.equal(senseOf("Enter", false, true), "next");
+  assert.equal(senseOf("Enter", false, false), null); // a button or a list takes it
+  assert.equal(senseOf("Enter", true, true), null); // checks the answers
+  assert.equal(senseOf("Delete", false, true), null); // a letter
+  assert.equal(senseOf("Delete", false, false), "remove");
+  assert.deepEqual(["ArrowUp", "ArrowDown"].map((key) => senseOf(key, true, true)), ["up", "down"]);
+  assert.equal(senseOf("Escape", false, true), "leave");
+  assert.equal(senseOf("Tab", false, true), null);
 });
 
 test("items of an order move by one and typed letters are followed", () => {

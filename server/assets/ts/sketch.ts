@@ -1,5 +1,6 @@
 /* The diagram editor: a drawing with handles over its table; the two are one answer, and the table is sent. */
 import { announceInput } from "./fields.ts";
+import { FILLED } from "./twin.ts";
 import {
   after, inserted, middleOf, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, written,
   type Place, type Scale, type Side,
@@ -7,6 +8,8 @@ import {
 
 const SVG = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT, EDGE, PIECES] = [560, 240, 34, 24] as const;
+const ADDS = ["Enter", " ", "Insert"];
+const REMOVES = ["Delete", "Backspace"];
 
 interface Handle {
   at: number;
@@ -34,7 +37,7 @@ function handlesOf(places: Place[]): Handle[] {
 class Sketch {
   private readonly box: HTMLElement;
   private readonly table: HTMLTableElement;
-  private readonly twin: HTMLTextAreaElement | null;
+  private readonly spoken = document.createElement("p");
   private readonly comma = document.documentElement.lang !== "en";
   private readonly downwards: boolean;
   private readonly figure: SVGElement;
@@ -45,18 +48,28 @@ class Sketch {
   private readonly knobs = new Map<string, SVGElement>();
   private scale: Scale = scaleOf([], 1);
 
-  constructor(box: HTMLElement, table: HTMLTableElement, twin: HTMLTextAreaElement | null) {
-    [this.box, this.table, this.twin] = [box, table, twin];
+  constructor(box: HTMLElement, table: HTMLTableElement) {
+    [this.box, this.table] = [box, table];
     this.downwards = box.dataset["quantity"] === "M"; // on the side in tension
     this.figure = draw("svg", { class: "fig", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "group", "aria-label": box.dataset["wordTitle"] ?? "" });
     const zero = draw("path", { class: "f-thick", d: `M${EDGE} ${HEIGHT / 2}H${WIDTH - EDGE}` });
     this.figure.append(this.area, this.ordinates, zero, this.curve, this.labels);
+    const help = box.querySelector(".help")?.id;
+    if (help) this.figure.setAttribute("aria-describedby", help);
+    this.spoken.className = "vh";
+    this.spoken.setAttribute("role", "status");
     box.prepend(this.figure);
+    box.append(this.spoken);
     this.show();
   }
 
   private cells(): HTMLInputElement[][] {
     return Array.from(this.table.tBodies[0]?.rows ?? [], (row) => Array.from(row.querySelectorAll("input")));
+  }
+
+  /* The text says what no table can show. */
+  private get locked(): boolean {
+    return this.cells()[0]?.[0]?.readOnly ?? false;
   }
 
   private places(): Place[] | null {
@@ -85,7 +98,7 @@ class Sketch {
   show(): void {
     const places = this.places();
     this.fold();
-    this.box.hidden = places === null || (this.twin?.value.trim() ?? "") !== "";
+    this.box.hidden = places === null || this.locked;
     if (places === null) return;
     this.scale = scaleOf(places, Number(this.box.dataset["span"] ?? 1));
     this.drawCurve(places);
@@ -117,7 +130,7 @@ class Sketch {
   private drawHandles(handles: Handle[]): void {
     this.labels.replaceChildren();
     const seen = new Set<string>();
-    let next: SVGElement | null = null; // Tab goes along the bar; a handle that has the focus is never moved
+    let next: SVGElement = this.labels; // Tab goes along the bar; a handle that has the focus is never moved
     for (const handle of handles.toReversed()) {
       const key = `${handle.at}.${handle.side}`;
       seen.add(key);
@@ -151,7 +164,7 @@ class Sketch {
   private label(left: number, top: number, side: Side, text: string): void {
     const below = top >= HEIGHT / 2;
     const anchor = side === "right" ? "start" : left < WIDTH / 2 ? "start" : "end";
-    const node = draw("text", { class: "n halo", x: left + (anchor === "start" ? 9 : -9), y: top + (below ? 20 : -10), "text-anchor": anchor });
+    const node = draw("text", { class: "n halo", x: left + (anchor === "start" ? 13 : -13), y: top + (below ? 22 : -13), "text-anchor": anchor });
     node.textContent = text;
     this.labels.append(node);
   }
@@ -172,13 +185,42 @@ class Sketch {
 
   private key(event: KeyboardEvent, at: number, side: Side): void {
     const places = this.places();
-    if (places === null || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (places === null || this.locked || event.ctrlKey || event.altKey || event.metaKey) return;
     const move = moveOf(event.key, event.shiftKey, this.downwards);
     if (move !== null) this.write(this.stepped(places, at, side, move));
-    else if (event.key === "Insert") this.write(inserted(places, at, side, this.cells().length));
-    else if (event.key === "Delete") this.write(removed(places, at, side), at);
+    else if (ADDS.includes(event.key)) this.add(places, at, side);
+    else if (REMOVES.includes(event.key)) this.remove(places, at, side);
+    else if (event.key === "Escape") this.leave(at, side);
     else return;
     event.preventDefault();
+  }
+
+  private say(word: string, at: number): void {
+    this.spoken.textContent = (this.box.dataset[word] ?? "").replace("{row}", String(at + 1));
+  }
+
+  private add(places: Place[], at: number, side: Side): void {
+    const changed = inserted(places, at, side, this.cells().length);
+    if (changed === places) return this.say("wordFull", at);
+    this.write(changed);
+    if (changed.length > places.length) this.say("wordAdded", at + 1);
+    else this.say("wordJump", at);
+  }
+
+  private remove(places: Place[], at: number, side: Side): void {
+    const changed = removed(places, at, side);
+    if (changed === places) return this.say("wordEnds", at);
+    this.write(changed);
+    const stays = side === "middle" ? this.knobs.get(`${at}.middle`) : undefined;
+    (stays ?? this.knobs.get(`${Math.min(at, changed.length - 1)}.left`))?.focus();
+    this.say({ left: "wordRemoved", right: "wordNoJump", middle: "wordNoBend" }[side], at);
+  }
+
+  /* To the cell of the table that says the same as the handle. */
+  private leave(at: number, side: Side): void {
+    const [rows, column] = [this.cells(), { left: 1, right: 2, middle: 3 }[side]];
+    const used = rows.filter((row) => row.some((cell) => cell.value.trim() !== ""));
+    ((used[at] ?? rows[at])?.[column] ?? rows[0]?.[0])?.focus();
   }
 
   private stepped(places: Place[], at: number, side: Side, move: { x: number; value: number }): Place[] {
@@ -190,20 +232,19 @@ class Sketch {
 
   private drag(event: PointerEvent, at: number, side: Side): void {
     const [places, matrix] = [this.places(), (this.figure as SVGSVGElement).getScreenCTM()];
-    if (places === null || matrix === null) return;
+    if (places === null || this.locked || matrix === null) return;
     const { y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
     const value = ((this.downwards ? 1 : -1) * (y - HEIGHT / 2) * this.scale.highest) / (HEIGHT / 2 - EDGE);
     const held = Math.max(-this.scale.highest, Math.min(this.scale.highest, value));
     this.write(withOrdinate(places, at, side, held, this.scale));
   }
 
-  private write(places: Place[], focus?: number): void {
+  private write(places: Place[]): void {
     const rows = rowsOf(places, this.comma);
     const cells = this.cells();
     cells.forEach((row, r) => row.forEach((cell, c) => (cell.value = rows[r]?.[c] ?? "")));
     const first = cells[0]?.[0];
     if (first !== undefined) announceInput(first);
-    if (focus !== undefined) this.knobs.get(`${Math.min(focus, places.length - 1)}.left`)?.focus();
   }
 }
 
@@ -212,6 +253,6 @@ export function sketch(box: HTMLElement): void {
   const answer = box.closest<HTMLElement>(".answer");
   const table = answer?.querySelector<HTMLTableElement>("table[data-join='table']");
   if (!answer || !table) return;
-  const made = new Sketch(box, table, answer.querySelector("textarea"));
-  answer.addEventListener("input", () => made.show());
+  const made = new Sketch(box, table);
+  for (const change of ["input", FILLED]) answer.addEventListener(change, () => made.show());
 }

@@ -119,6 +119,10 @@ export function moveOf(key: string, shift: boolean, downwards: boolean): Move | 
       return { x: 0, value: up };
     case "ArrowDown":
       return { x: 0, value: -up };
+    case "PageUp":
+      return { x: 0, value: downwards ? -10 : 10 };
+    case "PageDown":
+      return { x: 0, value: downwards ? 10 : -10 };
     case "ArrowLeft":
       return { x: -far, value: 0 };
     case "ArrowRight":

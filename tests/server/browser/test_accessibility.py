@@ -62,6 +62,22 @@ def polygon(page: Page, site: Live) -> None:
     desk(page, site.url, "slider_crank_polygon")
     page.fill("[name='answer.polygon']", grading.reference(deal("slider_crank_polygon", 7))["polygon"])
     page.wait_for_selector(".read math")
+    page.locator("[data-part=angle]").last.press("Enter")
+    page.locator("[data-remove]").last.press("Delete")
+
+
+def a_handle_with_the_focus(page: Page, site: Live) -> None:
+    desk(page, site.url, "beam_diagrams")
+    page.locator(".sketch [role=slider]").first.focus()
+    for key in ("Enter", "Enter", "Tab", "Shift+ArrowUp"):
+        page.keyboard.press(key)
+
+
+def a_text_beyond_its_table(page: Page, site: Live) -> None:
+    desk(page, site.url, "beam_diagrams")
+    page.locator("li:has([name='answer.V']) summary").press("Enter")
+    page.fill("textarea[name='answer.V']", "0 .. 2: x^3")
+    page.wait_for_selector("[data-twin-note]:visible")
 
 
 def table(page: Page, site: Live) -> None:
@@ -84,7 +100,8 @@ def solution(page: Page, site: Live) -> None:
 def visual_editor(page: Page, site: Live) -> None:
     desk(page, site.url)
     page.click(".visual button")
-    page.wait_for_selector("math-field")
+    page.wait_for_selector("math-field:focus")
+    page.keyboard.type("l1/l2")
 
 
 def nothing_here(page: Page, site: Live) -> None:
@@ -104,7 +121,7 @@ def problems(page: Page, site: Live) -> None:
 
 STATES: tuple[State, ...] = (
     catalogue_of_one, nothing_found, exercise, all_kinds_and_outcomes, polygon, table, verdicts, solution,
-    visual_editor, nothing_here, problems,
+    visual_editor, nothing_here, problems, a_handle_with_the_focus, a_text_beyond_its_table,
 )  # fmt: skip
 
 
