@@ -14,13 +14,18 @@ function grow(area: HTMLTextAreaElement): void {
   area.style.height = `${area.scrollHeight + area.offsetHeight - area.clientHeight}px`;
 }
 
+/** Checks the answers of a form, as its main button does. */
+export function check(form: HTMLFormElement): void {
+  form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));
+}
+
 export function growFormulas(form: HTMLFormElement): void {
   form.addEventListener("keydown", (event) => {
     const { target } = event;
     const sense = meaning(event, target instanceof Element && target.matches("textarea.formula:not(.lines)"));
     if (sense === "default") return;
     event.preventDefault();
-    if (sense === "check") form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));
+    if (sense === "check") check(form);
   });
   if (CSS.supports("field-sizing", "content")) return;
   for (const area of form.querySelectorAll<HTMLTextAreaElement>("textarea.formula")) {

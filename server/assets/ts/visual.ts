@@ -3,6 +3,7 @@ import type { MathfieldElement } from "mathlive";
 
 import { answerName, announceInput, isTextField, type TextField } from "./fields.ts";
 import { ask } from "./ask.ts";
+import { check, meaning } from "./formula.ts";
 import { turnstile } from "./preview.ts";
 
 const HERE = import.meta.url;
@@ -29,14 +30,14 @@ function styleBack(root: ParentNode): void {
   }
 }
 
-async function load(label: string): Promise<MathfieldElement> {
+async function load(words: DOMStringMap): Promise<MathfieldElement> {
   const { MathfieldElement: Field, version } = await import("mathlive");
   Field.fontsDirectory = [...HERE.split("/").slice(0, -1), `mathlive-${version.mathlive}`].join("/");
   Field.soundsDirectory = null;
   Field.createHTML = withoutStyles;
   const made = new Field();
   made.mathVirtualKeyboardPolicy = "manual";
-  made.setAttribute("aria-label", label);
+  made.setAttribute("aria-label", words["wordLabel"] ?? "");
   const root = made.shadowRoot;
   if (root !== null) new MutationObserver(() => styleBack(root)).observe(root, { childList: true, subtree: true });
   return made;
@@ -47,11 +48,34 @@ function names(box: HTMLElement): string[] {
   return Array.from(keys, (key) => key.dataset["insert"] ?? "").filter((name) => /^[A-Za-z]+_?\w+$/.test(name));
 }
 
+/** Makes the editor one stop of the Tab key, with the words on how to leave it and, on a phone, the phone's own keys. */
+function asOneStop(visual: MathfieldElement, help: string): void {
+  const typed = visual.shadowRoot?.querySelector("[part='keyboard-sink']");
+  typed?.setAttribute("inputmode", "text");
+  typed?.setAttribute("aria-description", help);
+  visual.removeAttribute("tabindex"); // the element and what stands in it would be two stops
+  visual.menuItems = [];
+}
+
+/* The editor's own Tab goes from gap to gap, its Escape into LaTeX, its Enter to a second line: here Tab leaves it,
+   Escape leads to the text, and Enter means what it means there. */
+function letOut(visual: MathfieldElement, field: TextField): void {
+  const keep = (event: KeyboardEvent): void => {
+    const inside = visual.mode === "latex" && !event.ctrlKey && !event.metaKey; // there both end the command
+    if (event.key !== "Tab" && (inside || !["Escape", "Enter"].includes(event.key))) return;
+    event.stopPropagation();
+    if (event.key !== "Tab") event.preventDefault();
+    if (event.key === "Escape") field.focus();
+    else if (field.form !== null && meaning(event, true) === "check") check(field.form);
+  };
+  visual.addEventListener("keydown", keep, { capture: true });
+}
+
 /* Two views of one formula: each change of one is read by the preview and shown in the other. */
 function join(field: TextField, visual: MathfieldElement, url: string): void {
   const answer = answerName(field.name) ?? "";
   const turns = turnstile();
-  let [timer, writing] = [0, false];
+  let [timer, writing, ahead] = [0, false, false]; // ahead: the formula says what the text does not say yet
   const soon = (refresh: (turn: number) => Promise<void>): void => {
     const turn = turns.next();
     clearTimeout(timer);
@@ -66,16 +90,25 @@ function join(field: TextField, visual: MathfieldElement, url: string): void {
   const put = async (turn: number): Promise<void> => {
     const latex = visual.getValue("latex");
     const reply = latex.trim() === "" ? null : await ask(url, answer, latex);
-    if (!turns.isLast(turn)) return;
-    field.value = reply?.ok ? reply.text : latex;
-    writing = true;
+    if (turns.isLast(turn)) write(reply?.ok ? reply.text : latex);
+  };
+  const write = (text: string): void => {
+    field.value = text;
+    [writing, ahead] = [true, false];
     announceInput(field);
     writing = false;
   };
+  const handIn = (): void => {
+    if (!ahead) return;
+    turns.next();
+    write(visual.getValue("latex"));
+  };
   visual.addEventListener("input", (event) => {
     event.stopPropagation(); // the field announces what the formula became
+    ahead = true;
     soon(put);
   });
+  field.form?.addEventListener("submit", handIn, { capture: true });
   field.addEventListener("input", () => void (writing || soon(show)));
   void show(turns.next());
 }
@@ -83,21 +116,22 @@ function join(field: TextField, visual: MathfieldElement, url: string): void {
 /** Offers the editor of a `data-visual="id of the field"` in a form with `data-preview`. */
 export function offerVisual(box: HTMLElement): void {
   const field = document.getElementById(box.dataset["visual"] ?? "");
-  const button = box.querySelector("button");
+  const [button, help] = [box.querySelector("button"), box.querySelector<HTMLElement>(".help")];
   const url = box.closest<HTMLElement>("form")?.dataset["preview"];
-  if (!isTextField(field) || button === null || url === undefined) return;
+  if (!isTextField(field) || button === null || help === null || url === undefined) return;
   let visual: MathfieldElement | null = null;
   const open = async (): Promise<void> => {
     if (visual === null) {
-      const made = await load(box.dataset["wordLabel"] ?? "");
+      const made = await load(box.dataset);
       visual = made;
-      box.append(made);
-      made.shadowRoot?.querySelector("[part='keyboard-sink']")?.setAttribute("inputmode", "text"); // a phone's own keys
-      made.menuItems = [];
+      help.before(made);
+      asOneStop(made, help.textContent ?? "");
+      letOut(made, field);
       made.inlineShortcuts = { ...made.inlineShortcuts, ...Object.fromEntries(names(box).map((name) => [name, latexOf(name)])) };
       join(field, made, url);
     } else visual.hidden = !visual.hidden;
     button.setAttribute("aria-expanded", String(!visual.hidden));
+    help.hidden = visual.hidden;
     if (!visual.hidden) visual.focus();
   };
   button.addEventListener("click", () => {

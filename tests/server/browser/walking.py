@@ -35,8 +35,13 @@ def practise(page: Page, site: Live, exercise: str = "slider_crank", seed: str =
 
 def focus_by_tab(page: Page, name: str) -> None:
     """Reach the field of a name by the Tab key alone."""
-    for _ in range(60):
+    tab_to(page, f"[name='{name}']")
+
+
+def tab_to(page: Page, selector: str) -> None:
+    """Reach what a selector names by the Tab key alone."""
+    for _ in range(100):
         page.keyboard.press("Tab")
-        if page.evaluate("document.activeElement.name") == name:
+        if page.evaluate("(selector) => document.activeElement.matches(selector)", selector):
             return
-    raise AssertionError(f"the keyboard does not reach {name}")
+    raise AssertionError(f"the keyboard does not reach {selector}")
