@@ -3,9 +3,44 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
-from tests.server.sets.conftest import Course
+import pytest
+from starlette.testclient import TestClient
+
+from server.app import create_app
+from server.settings import Settings
+from tests.server.conftest import SECRET
+from tests.server.sets.conftest import Course, made
+from tests.server.stores import Postgres, lay
+
+
+@pytest.fixture
+def two_servers(tmp_path: Path, postgres: Postgres) -> Iterator[tuple[Course, TestClient]]:
+    """A course on PostgreSQL, and the student at another server of the same store."""
+    settings = Settings(tmp_path, database_url=postgres.empty(), secret=SECRET, limited=False)
+    lay(settings)
+    for course in made(settings):
+        with TestClient(create_app(settings), raise_server_exceptions=False) as other:
+            other.cookies.update(course.student.cookies)
+            yield course, other
+
+
+def test_of_a_hundred_posts_to_two_servers_of_one_store_one_is_counted(two_servers: tuple[Course, TestClient]) -> None:
+    course, other = two_servers
+    number = course.published(item={"attempts": 1})
+    variant, doors = course.variant(number), (course.student, other)
+    with ThreadPoolExecutor(20) as pool:
+        replies = list(pool.map(lambda n: course.hand_in(variant, {"l3": f"{n} m"}, who=doors[n % 2]), range(1, 101)))
+    assert Counter(reply.status_code for reply in replies) == {201: 1, 403: 99}
+    item = course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]
+    assert (item["left"], len(item["ledger"])) == (0, 1)
+    keyed = course.variant(course.published(item={"attempts": 9}))
+    with ThreadPoolExecutor(20) as pool:
+        same = list(pool.map(lambda n: course.hand_in(keyed, {"l3": "1 m"}, "one", who=doors[n % 2]).json(), range(20)))
+    assert len({reply["receipt"]["id"] for reply in same}) == 1
 
 
 def test_of_a_hundred_posts_with_one_attempt_left_one_is_counted(course: Course) -> None:
