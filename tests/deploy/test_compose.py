@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from cli.main import COMMANDS
-from server.envelope import LARGEST_BODY
+from server.envelope import LARGEST_BODY, LARGEST_ROSTER
 from server.policy import POLICIES
 from server.run import GRACE
 from server.settings import Settings
@@ -24,6 +24,7 @@ KEYS = {  # of a service, as the compose specification names them
     "build", "cap_drop", "command", "depends_on", "environment", "healthcheck", "image", "logging", "networks", "ports",
     "read_only", "restart", "security_opt", "shm_size", "stop_grace_period", "stop_signal", "tmpfs", "user", "volumes",
 }  # fmt: skip
+LOCATIONS = re.findall(r"location ~ (\S+) \{(.*?)\n        \}", PROXY, re.DOTALL)  # pattern and what is said of it
 CONDITIONS = {"service_started", "service_healthy", "service_completed_successfully"}
 OURS = ("server", "worker", "migrate")
 
@@ -106,6 +107,10 @@ def test_what_is_under_way_has_its_time_when_services_end() -> None:
 
 
 def test_the_proxy_takes_what_the_server_takes_and_passes_events_on_at_once() -> None:
+    for path in ("/courses/{course}/roster", "/api/v1/courses/{course}/roster"):
+        assert ("POST", path) in POLICIES
+        rosters = next(one for one in LOCATIONS if re.fullmatch(one[0], path))
+        assert int(re.findall(r"client_max_body_size (\d+)k;", rosters[1])[0]) * 1024 > LARGEST_ROSTER
     size = re.search(r"client_max_body_size (\d+)k;", PROXY)
     assert size and int(size[1]) * 1024 > LARGEST_BODY
     pattern = re.search(r"location ~ (\S+) \{[^}]*proxy_buffering off;", PROXY)
