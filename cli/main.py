@@ -85,11 +85,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: Namespace) -> int:
     try:
         code: int = options.run(options)
-    except Unusable as problem:
+    except ValueError as error:
+        problem = _unusable(error)
+        if problem is None:
+            raise
         print(f"grubler: {problem.worded(getattr(options, 'lang', 'en'))}", file=sys.stderr)
         return UNUSABLE
     sys.stdout.flush()
     return code
+
+
+def _unusable(error: ValueError) -> Unusable | None:
+    """Tell what the user can mend, an incomplete folder of an exercise too, from our own faults."""
+    from exercises.catalogue import IncompleteExercise  # only for those who are told something
+
+    if isinstance(error, IncompleteExercise):
+        return Unusable("incomplete", why=error)
+    return error if isinstance(error, Unusable) else None
 
 
 def _speak_utf8() -> None:

@@ -26,10 +26,7 @@ def arguments(parser: ArgumentParser) -> None:
 def run(options: Namespace) -> int:
     """Make the folder and print its path."""
     folder = scaffold(catalogue.ROOT, options.chapter, options.exercise)
-    try:
-        _store_digest(folder)
-    except catalogue.IncompleteExercise as error:
-        raise Unusable("incomplete", why=error) from None
+    _store_digest(folder)
     print(folder)
     return 0
 

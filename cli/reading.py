@@ -17,6 +17,9 @@ LONGEST = 10_000  # characters of an answer; the answer language reads fewer and
 DIGITS = 20  # of a whole number: longer ones are out of every range
 
 WANTED: Mapping[type, str] = {dict: "wants_object", list: "wants_list", str: "wants_text", int: "wants_whole"}
+UNREADABLE: Mapping[type, str] = {
+    FileNotFoundError: "no_file", IsADirectoryError: "is_folder", PermissionError: "not_allowed",
+}  # fmt: skip
 
 T = TypeVar("T")
 
@@ -109,7 +112,7 @@ class Reader:
                 raw = stream.read(LARGEST + 1)
         except (OSError, ValueError) as error:
             why = (error.strerror if isinstance(error, OSError) else None) or str(error)
-            raise Unusable("unreadable_file", self.file, why=why) from None
+            raise Unusable(UNREADABLE.get(type(error), "unreadable_file"), self.file, why=why) from None
         if len(raw) > LARGEST:
             raise Unusable("too_large", self.file, limit=LARGEST)
         try:

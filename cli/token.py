@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, ArgumentTypeError, Namespace
+from contextlib import suppress
 
 from cli import store
 from server import run as server
@@ -28,7 +29,8 @@ def run(options: Namespace) -> int:
 
 
 def _hours(text: str) -> float:
-    hours = float(text)
-    if not 0 < hours <= MOST_HOURS:
-        raise ValueError(text)
-    return hours
+    with suppress(ValueError):
+        hours = float(text)
+        if 0 < hours <= MOST_HOURS:
+            return hours
+    raise ArgumentTypeError(f"{text!r} is not a number of hours from 0 to {MOST_HOURS}")

@@ -108,7 +108,7 @@ def test_one_good_item_is_not_counted_for_two_tasks(tmp_path: Path, capsys: pyte
 
 def test_unusable_tasks_grade_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "grade", written(tmp_path, {"items": [right()]}), "--tasks", str(tmp_path / "none"))
-    assert (code, out) == (2, "") and "cannot be read" in err
+    assert (code, out) == (2, "") and "there is no such file" in err
 
 
 def test_one_unusable_file_does_not_stop_the_others(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -104,10 +104,20 @@ def test_bytes_that_cannot_be_read_are_refused(
     assert code == 2 and said in err
 
 
-@pytest.mark.parametrize("name", ["absent.json", ".", "a\0b"])
-def test_a_file_that_cannot_be_opened_is_refused(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, _, err = run(capsys, "grade", f"{tmp_path}/{name}")
-    assert code == 2 and "the file cannot be read" in err
+@pytest.mark.parametrize(
+    ("name", "lang", "said"),
+    [
+        ("absent.json", "en", "there is no such file"),
+        ("absent.json", "pl", "nie ma takiego pliku"),
+        (".", "ru", "это папка, а не файл"),
+        ("a\0b", "en", "the file cannot be read"),
+    ],
+)
+def test_a_file_that_cannot_be_opened_is_refused(
+    name: str, lang: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, _, err = run(capsys, "grade", f"{tmp_path}/{name}", "--lang", lang)
+    assert code == 2 and said in err
 
 
 def test_a_byte_order_mark_is_passed_over(tmp_path: Path) -> None:

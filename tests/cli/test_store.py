@@ -66,6 +66,12 @@ def test_a_token_for_nobody_is_unusable(arguments: list[str], capsys: pytest.Cap
     assert run(capsys, "token", *arguments)[0] == 2
 
 
+@pytest.mark.parametrize("hours", ["nan", "-1", "0", "long", "1e9"])
+def test_the_hours_of_a_token_are_asked_for(hours: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, _, err = run(capsys, "token", "--role", "student", f"--hours={hours}")
+    assert code == 2 and f"{hours!r} is not a number of hours" in err
+
+
 @pytest.mark.parametrize("port", ["0", "65536", "http"])
 def test_a_port_that_is_none_is_unusable(port: str, capsys: pytest.CaptureFixture[str]) -> None:
     code, _, err = run(capsys, "serve", "--port", port)
