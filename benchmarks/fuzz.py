@@ -14,6 +14,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
 import argparse  # noqa: E402
+import gc  # noqa: E402
 import time  # noqa: E402
 import tracemalloc  # noqa: E402
 from functools import lru_cache, partial  # noqa: E402
@@ -25,12 +26,15 @@ from tests.graders.fuzzing.attack import Found, Target, attack, one, targets  # 
 CHUNK = 5000
 TOKENS, JUDGED = 0.30, 0.10
 MEGABYTE = 1e6
+SHOWN = 100_000  # inputs between two lines about the progress
 
 
 @lru_cache(maxsize=1)
 def every(exercises: tuple[str, ...]) -> list[Target]:
     """Give the targets, made once a process."""
-    return targets(exercises)
+    found = targets(exercises)
+    gc.freeze()  # they stay: the collector need not look at them again and again
+    return found
 
 
 def chunk(exercises: tuple[str, ...], seed: int, inputs: int, number: int) -> Found:
@@ -53,8 +57,8 @@ def memory(exercises: tuple[str, ...], slowest: list[tuple[float, str, str]]) ->
 
 def report(found: Found, seconds: float, megabytes: float) -> bool:
     """Print what was found and tell whether all is as it should be."""
-    tokens, judged = found.tokens / found.inputs, found.judged / found.inputs
-    print(f"{found.inputs} inputs in {seconds:.0f} s: {found.inputs / seconds:.0f} inputs/s")
+    tokens, judged = found.tokens / found.tokenized, found.judged / found.inputs
+    print(f"{found.inputs} inputs in {seconds:.0f} s, {found.inputs / found.seconds:.0f} a second of processor time")
     print(f"{tokens:.1%} pass the tokenizer, {judged:.1%} reach a judge, {found.right / found.inputs:.1%} are right")
     print(f"{found.overlong} of the texts above 3000 characters reached a judge (tables and sentences)")
     print("judged:", ", ".join(f"{kind} {count}" for kind, count in found.kinds.most_common()))
@@ -65,9 +69,15 @@ def report(found: Found, seconds: float, megabytes: float) -> bool:
         print(f"  {cost * 1e3:.1f} ms {kind} {text[:80]!r}")
     print(f"greatest memory of the slowest texts: {megabytes:.1f} MB")
     print(f"{len(found.crashes)} crashes, {len(found.slow)} answers above 50 ms")
-    for line in [*found.crashes[:10], *found.slow[:10]]:
-        print("  " + line)
     return not found.crashes and not found.slow and tokens >= TOKENS and judged >= JUDGED and megabytes <= 20
+
+
+def progress(total: Found, found: Found) -> None:
+    """Print what a chunk found, and at times how far the work is."""
+    for line in [*found.crashes, *found.slow]:
+        print("  " + line, flush=True)
+    if total.inputs // SHOWN > (total.inputs - found.inputs) // SHOWN:
+        print(f"{total.inputs} inputs, {len(total.crashes)} crashes, {len(total.slow)} slow", flush=True)
 
 
 def main() -> int:
@@ -84,6 +94,7 @@ def main() -> int:
         work = partial(chunk, exercises, arguments.seed, arguments.inputs)
         for found in pool.imap_unordered(work, range(-(-arguments.inputs // CHUNK))):
             total.add(found)
+            progress(total, found)
     seconds = time.perf_counter() - start
     return 0 if report(total, seconds, memory(exercises, total.slowest)) else 1
 

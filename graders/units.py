@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.proposals import nearest
+from graders.language.proposals import nearest, spellings
 from graders.language.symbols import DEGREES, LOOK_ALIKES, SUPERSCRIPTS
 from graders.language.tokens import SAME, SPACES
 from graders.unit_words import PER, words
@@ -90,6 +90,7 @@ def _compounds(table: dict[str, Unit]) -> dict[str, tuple[Unit, Unit]]:
 
 TABLE = _table()
 COMPOUNDS = _compounds(TABLE)
+NAMES = spellings({name: name for name in (*TABLE, *COMPOUNDS)})
 WORDS = dict(words())
 WHOLE = {"r/min": "rpm"}  # a lone r may be rad as well
 TO_CYRILLIC = str.maketrans({latin: cyrillic for cyrillic, latin in LOOK_ALIKES.items()})
@@ -213,7 +214,7 @@ class _UnitReader:
 @lru_cache(maxsize=512)
 def nearest_unit(piece: str) -> str:
     """Give the unit that a piece may mean: `kN` for KN, `MPa` for Mpa; empty where none is near."""
-    return nearest(piece, {name: name for name in (*TABLE, *COMPOUNDS)}) if piece.isalpha() and len(piece) < 9 else ""
+    return nearest(piece, NAMES) if piece.isalpha() and len(piece) < 9 else ""
 
 
 def _named(piece: str) -> tuple[Unit, Unit] | None:

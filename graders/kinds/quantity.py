@@ -17,7 +17,7 @@ from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import is_latex, through
 from graders.language.mathml import mathml_of
-from graders.language.parser import parse
+from graders.language.parser import parse_tokens
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
@@ -256,7 +256,8 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     number_text = text[start:cut]
     if not number_text.strip():
         raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, text[start : start + 20].strip())
-    tree = parse(" " * start + number_text, NOTHING)
+    front = [token for token in tokens[:-1] if token.position < cut]
+    tree = parse_tokens([*front, Token("end", "", cut)], NOTHING)
     number = _computed(tree, start, number_text.strip()[:20])
     rest = text[cut:].lstrip()
     cut = len(text) - len(rest)

@@ -20,6 +20,7 @@ MAX_WRITTEN = 2000  # characters of the answer language: no more is read
 MAX_DEPTH = 60
 COMMAND = re.compile(r"\\(?:[A-Za-z]+\*?|.)", re.DOTALL)
 WORD = re.compile(r"[^\W\d_][^\W_]*")
+MARKS = re.compile(r"[0-9 +\-*/=(),.]+")  # that mean themselves
 INDICES = re.compile(r"(\d{1,2})[,;](\d{1,2})")
 ENVIRONMENT = re.compile(r"\{([A-Za-z]{1,12})\}")
 COLUMNS = re.compile(r"\{[lcr| ]{0,40}\}")
@@ -137,8 +138,10 @@ class _Reader:
         elif char.isalpha():
             self.word(place)
         else:
-            self.at += 1
-            self.sheet.write(" " if char == "~" else char, place)
+            marks = MARKS.match(self.latex, self.at)
+            run = marks.group() if marks else char
+            self.at += len(run)
+            self.sheet.copy(" " if run == "~" else run, place)
 
     def group(self, place: int) -> None:
         """Braces group; around a mark they only keep it close: `3{,}5`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 from graders.language import plain
@@ -16,6 +17,7 @@ MAX_DEPTH = 60  # brackets, signs and powers within one another
 MAX_NODES = 1500
 MAX_HEIGHT = 200  # terms and factors beside and within one another: what walks a tree goes as deep
 MAX_MATRIX = 16
+MAX_SIDES = 24  # of a chain of relations
 ONE: Tree = Number("1")
 RELATIONS = ("=", "<", ">", "<=", ">=")
 LESS, GREATER = frozenset(("<", "<=")), frozenset((">", ">="))  # a chain runs in one sense
@@ -31,6 +33,11 @@ def parse(text: str, symbols: Symbols) -> Tree:
         AnswerSyntaxError: The text is not in the language; names the place and what may be meant.
     """
     return plain.read(text, symbols) or _Parser(tokenize(text), symbols, text if is_latex(text) else "").whole()
+
+
+def parse_tokens(tokens: Sequence[Token], symbols: Symbols) -> Tree:
+    """Read what was cut into tokens already, the last of kind `end`; raises as `parse` does."""
+    return _Parser(list(tokens), symbols).whole()
 
 
 @lru_cache(maxsize=4096)
@@ -75,11 +82,14 @@ class _Parser:
         raise self.error(Reason.EXTRA_BRACKET if other else Reason.EXTRA_TEXT, None, kind if other else "")
 
     def relation(self) -> Tree:
-        sides, operators = [self.sum()], []
+        sides, operators, said = [self.sum()], [], set[str]()
         while self.token.kind in RELATIONS:
             operators.append(self.token.kind)
-            if LESS.intersection(operators) and GREATER.intersection(operators):
+            said.add(self.token.kind)
+            if said & LESS and said & GREATER:
                 raise self.error(Reason.TURNED_CHAIN)
+            if len(sides) > MAX_SIDES:
+                raise self.error(Reason.TOO_LONG)
             self.at += 1
             sides.append(self.sum())
         return Relation(tuple(operators), tuple(sides)) if operators else sides[0]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from itertools import takewhile
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import ALIASES, FUNCTIONS, Symbols, function_named, key
@@ -16,6 +16,7 @@ INSTEAD = {
 SOUNDS = {"eps": "epsilon", "w": "omega", "W": "omega", "al": "alpha", "th": "theta", "f": "phi", "e": "epsilon"}
 LONGEST = 24  # letters of a name for which a neighbour is looked for
 MOST = 400  # names looked at
+BITS = 61  # of a set of letters: two letters may share one, then a spelling is looked at in vain
 
 
 def product(pieces: Sequence[str], following: Sequence[Token]) -> str:
@@ -49,42 +50,79 @@ def nearest_name(spelling: str, symbols: Symbols) -> str:
     letter = next((letter for letter in SOUNDS if folded.startswith(letter)), "")
     if letter and symbols.find(SOUNDS[letter] + folded[len(letter) :]) in symbols.names:
         return symbols.find(SOUNDS[letter] + folded[len(letter) :]) or ""
-    found = nearest(folded, {key(name): name for name in sorted(symbols.names)[:MOST]})
-    return found or (nearest(folded, {name: name for name in (*FUNCTIONS, *ALIASES)}) if len(folded) > 2 else "")
+    found = nearest(folded, spellings({key(name): name for name in sorted(symbols.names)[:MOST]}))
+    return found or (nearest(folded, CALLED) if len(folded) > 2 else "")
 
 
-def nearest(spelling: str, meanings: dict[str, str]) -> str:
+class Spelling(NamedTuple):
+    """A spelling that may have been meant: as it is, in small letters, the letters in it as bits, and its meaning."""
+
+    text: str
+    small: str
+    letters: int
+    meaning: str
+
+
+def spellings(meanings: Mapping[str, str]) -> tuple[Spelling, ...]:
+    """Prepare spellings to be looked through."""
+    return tuple(Spelling(text, text.lower(), _letters(text.lower()), meaning) for text, meaning in meanings.items())
+
+
+def _letters(text: str) -> int:
+    found = 0
+    for char in text:
+        found |= 1 << ord(char) % BITS
+    return found
+
+
+CALLED = spellings({name: name for name in (*FUNCTIONS, *ALIASES)})
+
+
+def nearest(spelling: str, known: Iterable[Spelling]) -> str:
     """Give the meaning of the nearest of some spellings, or nothing."""
     slips = 0 if len(spelling) < 2 else 1 if len(spelling) < 5 else 2
-    near = min(_distances(spelling, meanings, slips), default=None)
-    return meanings[near[2]] if near else ""
+    near = min(_distances(spelling, known, slips), default=None)
+    return near[3] if near else ""
 
 
-def _distances(spelling: str, others: Iterable[str], slips: int) -> Iterable[tuple[int, int, str]]:
-    """Give slips, letters shared in front (less is more), and spelling, of those that are near."""
-    folded = spelling.lower()
-    for other in others:
-        if folded == other.lower():
-            yield 0, 0, other
-        elif abs(len(other) - len(spelling)) <= slips:
-            distance = slips_between(spelling, other)
-            if 0 < distance <= slips and distance < len(other):
-                shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(spelling, other, strict=False)))
-                yield distance, -shared, other
+def _distances(spelling: str, known: Iterable[Spelling], slips: int) -> Iterable[tuple[int, int, str, str]]:
+    """Give slips, letters shared in front (less is more), spelling and meaning, of those that are near."""
+    small = spelling.lower()
+    letters = _letters(small)
+    for text, other, bits, meaning in known:
+        strange, lost = letters & ~bits, bits & ~letters
+        if strange.bit_count() > slips or lost.bit_count() > slips or abs(len(text) - len(spelling)) > slips:
+            continue
+        if small == other:
+            yield 0, 0, text, meaning
+        elif 0 < (distance := slips_between(spelling, text, slips)) <= slips and distance < len(text):
+            yield distance, -_shared(spelling, text), text, meaning
 
 
-def slips_between(one: str, other: str) -> int:
-    """Count letters put in, left out, changed or exchanged with a neighbour (optimal string alignment)."""
-    before: list[int] = []
-    row = list(range(len(other) + 1))
-    for i, a in enumerate(one, 1):
-        older, before, row = before, row, [i]
-        for j, b in enumerate(other, 1):
-            least = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (a != b))
-            if i > 1 and j > 1 and a == other[j - 2] and one[i - 2] == b:
-                least = min(least, older[j - 2] + 1)
-            row.append(least)
-    return row[-1]
+def slips_between(one: str, other: str, most: int) -> int:
+    """Count letters put in, left out, changed or exchanged with a neighbour, each once (optimal string alignment).
+
+    Only up to `most`: where there are more, any greater number is given.
+    """
+    if not most:
+        return int(one != other)
+    same, fewer = _shared(one, other), most - 1
+    one, other = one[same:], other[same:]
+    if not one or not other or abs(len(one) - len(other)) > most:
+        return max(len(one), len(other))
+    left, right = one[1:], other[1:]
+    least = min(slips_between(left, right, fewer), slips_between(left, other, fewer), slips_between(one, right, fewer))
+    if one[:2] == other[1::-1]:
+        least = min(least, slips_between(one[2:], other[2:], fewer))
+    return 1 + least
+
+
+def _shared(one: str, other: str) -> int:
+    """Count the letters shared in front."""
+    for at, (a, b) in enumerate(zip(one, other, strict=False)):
+        if a != b:
+            return at
+    return min(len(one), len(other))
 
 
 def figure_behind(tokens: Sequence[Token], at: int) -> AnswerSyntaxError:

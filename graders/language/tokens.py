@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from functools import lru_cache
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
@@ -13,6 +13,7 @@ from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 
 MAX_LENGTH = 2000
 MAX_DIGITS = 60
+MAX_NAME = 64  # letters of a word, a run of names included
 MAX_EXPONENT = 999  # of a power of ten in a literal
 
 SAME = {
@@ -21,15 +22,19 @@ SAME = {
     "ʹ": "'", "″": '"', "”": '"', "º": "°", "˚": "°", "≈": "=", "≅": "=", "≃": "=", "⟨": "<", "⟩": ">",
 }  # fmt: skip
 SPACES = " \t\r\n\u00a0\u2009\u202f\u2002\u2003\u2007"
+REFUSED = "\0"
+MOST_MAPPED = 4096  # characters
 POWER_OF_TEN = str.maketrans("еЕ", "eE")  # the Cyrillic letter in 1,2е4
 LETTER = r"[^\W\d_²³¹⁰ⁱ-₉ₐ-ₜªº]"  # a letter of any script; digits and raised or lowered figures are not letters
 TOKEN = re.compile(
-    rf"(?P<number>(?:\d+(?:[.,]\d+)?|\.\d+))"
+    r" *(?:"
+    r"(?P<number>(?:\d+(?:[.,]\d+)?|\.\d+)(?:[eEеЕ][-+]?[0-9]+)?)"
+    r"|(?P<of_degrees>(?:sin|cos|tan|tg|ctg|cot)(?=\d{1,6}(?:[.,]\d{1,12})? ?°))"  # sin105°
     rf"|(?P<name>{LETTER}(?:{LETTER}|[\d_₀-₉\u0307\u0308])*'*)"
     r"|(?P<raised>[⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
-    r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√∛∜°'\"%])"
+    r"|(?P<operator>\*\*|<=|>=|[-+*/^()\[\]<>=,;|!√∛∜°'\"%≤≥⩽⩾]))"
 )
-OF_DEGREES = re.compile(r"(?:sin|cos|tan|tg|ctg|cot)(?=\d{1,6}(?:[.,]\d{1,12})? ?°)")  # sin105°
+SPELLED = {"**": "^", "≤": "<=", "≥": ">=", "⩽": "<=", "⩾": ">="}  # operators of one kind
 CLOSING = {"(": ")", "[": "]", "|": "|", "<": ">"}
 TWO_ARGUMENTS = ("atan2", "arctg2", "arctan2", "root", "macaulay", "min", "max", "log", "pierw")
 
@@ -53,23 +58,14 @@ def tokenize(text: str) -> list[Token]:
 
 def _of_latex(latex: str) -> list[Token]:
     plain = rewritten(latex)
-    return [token._replace(position=plain.places[token.position]) for token in kept(plain, _tokens)]
+    return [Token(token.kind, token.text, plain.places[token.position]) for token in kept(plain, _tokens)]
 
 
 def _tokens(text: str) -> list[Token]:
     if len(text) > MAX_LENGTH:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
     plain = _plain(text)
-    commas = _separating_commas(plain)
-    tokens: list[Token] = []
-    place = 0
-    while place < len(plain):
-        if plain[place] == " ":
-            place += 1
-            continue
-        token = _next(plain, place, commas)
-        tokens.append(token)
-        place = token.position + len(token.text)
+    tokens = list(_cut(plain, _separating_commas(plain) if "," in plain else frozenset()))
     if not tokens:
         raise AnswerSyntaxError(Reason.EMPTY, 0)
     tokens.append(Token("end", "", len(text)))
@@ -80,22 +76,29 @@ def _plain(text: str) -> str:
     """Map each character to one character of the language, so that places stay as typed."""
     if text.isascii() and text.isprintable() and ":" not in text:
         return text
-    mapped = [_mapped(char) for char in text]
-    if "" in mapped:
-        place = mapped.index("")
+    mapped = text.translate(MAPPED)
+    place = mapped.find(REFUSED)
+    if place >= 0:
         raise AnswerSyntaxError(Reason.BAD_CHARACTER, place, f"U+{ord(text[place]):04X}")
-    return "".join(mapped)
+    return mapped
 
 
-@lru_cache(maxsize=4096)
+class _Mapped(dict[int, str]):
+    """What characters mean, by their code; so many are remembered."""
+
+    def __missing__(self, code: int) -> str:
+        char = _mapped(chr(code))
+        return self.setdefault(code, char) if len(self) < MOST_MAPPED else char
+
+
 def _mapped(char: str) -> str:
-    """Give the character of the language that a character means; empty where it is invisible or a foreign figure."""
+    """Give the character of the language that a character means; REFUSED if it is invisible or a foreign figure."""
     if char in SPACES:
         return " "
     if "\uff01" <= char <= "\uff5e":  # full-width forms
         return chr(ord(char) - 0xFEE0)
     if unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn") or (char.isdigit() and not _figure(char)):
-        return ""
+        return REFUSED
     same = SAME.get(char, char)
     return same if len(same) == 1 else char
 
@@ -104,41 +107,44 @@ def _figure(char: str) -> bool:
     return char.isascii() or char in SUPERSCRIPTS or "₀" <= char <= "₉"
 
 
-def _next(plain: str, place: int, separating: frozenset[int]) -> Token:
-    char = plain[place]
-    if char in "≤≥⩽⩾":
-        return Token(SAME[char], char, place)
-    found = OF_DEGREES.match(plain, place)
-    if found is not None:
-        return Token("name", found.group(), place)
-    found = TOKEN.match(plain, place)
-    if found is None:
-        reason = Reason.LOOK_ALIKE if char in LOOK_ALIKES else Reason.BAD_CHARACTER
-        raise AnswerSyntaxError(reason, place, char)
-    kind, text = found.lastgroup or "", found.group()
-    if kind == "number":
-        return _number(plain, place, text, separating)
-    return Token(kind if kind != "operator" else "^" if text == "**" else text, text, place)
+MAPPED = _Mapped()
 
 
-def _number(plain: str, place: int, digits: str, separating: frozenset[int]) -> Token:
+def _cut(plain: str, separating: frozenset[int]) -> Iterator[Token]:
+    place, end = 0, len(plain.rstrip(" "))
+    while place < end:
+        found = TOKEN.match(plain, place)
+        if found is None:
+            raise _strange(plain, place)
+        kind, place = found.lastgroup or "", found.end()
+        text = found[kind]
+        if kind == "operator":
+            yield Token(SPELLED.get(text, text), text, place - len(text))
+        elif kind == "number":
+            token = _number(text, place - len(text), separating)
+            place = token.position + len(token.text)
+            yield token
+        elif len(text) > MAX_NAME:
+            raise AnswerSyntaxError(Reason.UNKNOWN_NAME, place - len(text), text[:12] + "…")
+        else:
+            yield Token("name" if kind == "of_degrees" else kind, text, place - len(text))
+
+
+def _strange(plain: str, place: int) -> AnswerSyntaxError:
+    place += len(plain[place:]) - len(plain[place:].lstrip(" "))
+    reason = Reason.LOOK_ALIKE if plain[place] in LOOK_ALIKES else Reason.BAD_CHARACTER
+    return AnswerSyntaxError(reason, place, plain[place])
+
+
+def _number(literal: str, place: int, separating: frozenset[int]) -> Token:
     """Read a literal; a comma is decimal directly between digits unless its bracket makes it a separator."""
-    comma = digits.find(",")
+    comma = literal.find(",")
     if comma >= 0 and place + comma in separating:
-        return Token("number", digits[:comma], place)
-    end = place + len(digits)
-    power = end
-    if power < len(plain) and plain[power] in "eEеЕ":
-        power += 1
-        if power < len(plain) and plain[power] in "+-":
-            power += 1
-        start = power
-        while power < len(plain) and "0" <= plain[power] <= "9":
-            power += 1
-        end = power if power > start else end
-    if len(digits) > MAX_DIGITS:
-        raise AnswerSyntaxError(Reason.TOO_LARGE, place, digits[:12] + "…")
-    return Token("number", plain[place:end].translate(POWER_OF_TEN), place)
+        literal = literal[:comma]
+    literal = literal.translate(POWER_OF_TEN)
+    if len(literal.lower().partition("e")[0]) > MAX_DIGITS:
+        raise AnswerSyntaxError(Reason.TOO_LARGE, place, literal[:12] + "…")
+    return Token("number", literal, place)
 
 
 def exponent_of(literal: str) -> tuple[str, int]:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.piece import Piece
 from graders.language.symbols import DOTS, Symbols, function_named, key, latin
-from graders.language.tokens import tokenize
+from graders.language.tokens import Token, tokenize
 from graders.polygon import keywords
 
 MAX_TEXT = 4000
@@ -141,9 +141,12 @@ def new_names(piece: Piece, symbols: Symbols, rates: bool = False) -> dict[str, 
     Raises:
         AnswerSyntaxError: The formula has a character or a name that cannot be read.
     """
-    found = {}
+    found, first = {}, dict[str, Token]()
     for token in piece.read(tokenize):
-        if token.kind != "name" or function_named(token.text) or key(token.text) == "pi":
+        if token.kind == "name":
+            first.setdefault(token.text, token)
+    for token in first.values():
+        if function_named(token.text) or key(token.text) == "pi":
             continue
         if symbols.find(token.text) or symbols.parts(token.text) or token.text in ("deg", "rad"):
             continue

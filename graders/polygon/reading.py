@@ -16,6 +16,7 @@ from graders.polygon.lines import Line, fields_of, folded, label_of, lines_of, n
 
 MAX_VECTORS = 12
 MAX_EQUATIONS = 8
+MAX_SPELLING = 40  # characters of a node or of two run together
 TURN_IN_RADIANS = 6.3  # a bare number beyond it is an angle in degrees
 
 
@@ -231,7 +232,7 @@ def _two_nodes(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | 
     plain = [word for word in plain if _node(word, nodes) or folded(word) not in keywords.FILLERS]
     if len(plain) == 1:
         whole = latin(plain[0])
-        pairs = [(whole[:cut], whole[cut:]) for cut in range(1, len(whole))]
+        pairs = [(whole[:cut], whole[cut:]) for cut in range(1, len(whole))] if len(whole) <= MAX_SPELLING else []
     else:
         pairs = [(plain[0], plain[1])] if len(plain) == 2 else []
     for one, other in pairs:
@@ -242,7 +243,7 @@ def _two_nodes(words: list[Piece], nodes: tuple[str, ...]) -> tuple[str, str] | 
 
 
 def _node(spelling: str, nodes: tuple[str, ...]) -> str | None:
-    wanted = key(latin(spelling.strip(".,;()[]")))
+    wanted = key(latin(spelling.strip(".,;()[]"))) if len(spelling) <= MAX_SPELLING else ""
     return next((node for node in nodes if key(node) == wanted), None)
 
 

@@ -11,7 +11,7 @@ from exercises.variants import deal
 from graders import AnswerSyntaxError, Echo, Quantity, Symbols
 from graders.language import Reason, parse
 from graders.language.notes import Note, notes_of
-from graders.language.proposals import nearest, slips_between
+from graders.language.proposals import nearest, slips_between, spellings
 from graders.units import read_unit
 from graders.verdict import unreadable
 from graders.words import LANGUAGES, message, noted
@@ -95,13 +95,22 @@ def test_what_is_proposed_for_a_unit_is_one() -> None:
         assert read_unit(refused.value.proposal.meant).factor > 0
 
 
+def full(one: str, other: str) -> int:
+    return slips_between(one, other, 12)
+
+
 @given(letters, letters, letters)
 def test_slips_are_counted_as_a_distance(one: str, other: str, third: str) -> None:
-    assert slips_between(one, other) == slips_between(other, one)
-    assert (slips_between(one, other) == 0) == (one == other)
-    assert abs(len(one) - len(other)) <= slips_between(one, other) <= max(len(one), len(other))
-    assert slips_between(one + "x", other + "x") <= slips_between(one, other)
-    assert slips_between(third + one, third + other) <= slips_between(one, other)
+    assert full(one, other) == full(other, one)
+    assert (full(one, other) == 0) == (one == other)
+    assert abs(len(one) - len(other)) <= full(one, other) <= max(len(one), len(other))
+    assert full(one + "x", other + "x") <= full(one, other)
+    assert full(third + one, third + other) <= full(one, other)
+
+
+@given(letters, letters, st.integers(0, 4))
+def test_slips_are_counted_as_far_as_asked(one: str, other: str, most: int) -> None:
+    assert min(slips_between(one, other, most), most + 1) == min(full(one, other), most + 1)
 
 
 @pytest.mark.parametrize(
@@ -109,11 +118,19 @@ def test_slips_are_counted_as_a_distance(one: str, other: str, third: str) -> No
     [("ab", "ba", 1), ("alpha", "alhpa", 1), ("sin", "sinn", 1), ("kN", "kNm", 1), ("abc", "", 3), ("abcd", "badc", 2)],
 )
 def test_letters_exchanged_with_a_neighbour_are_one_slip(one: str, other: str, slips: int) -> None:
-    assert slips_between(one, other) == slips
+    assert full(one, other) == slips
+    assert slips_between(one, other, 2) == slips
+
+
+@given(st.text("abAB", min_size=1, max_size=6), st.lists(st.text("abABc", min_size=1, max_size=6), max_size=8))
+def test_no_spelling_that_is_near_is_left_out(typed: str, known: list[str]) -> None:
+    slips = 0 if len(typed) < 2 else 1 if len(typed) < 5 else 2
+    near = [s for s in known if s.lower() == typed.lower() or 0 < full(typed, s) <= min(slips, len(s) - 1)]
+    assert nearest(typed, spellings({name: name for name in known})) in (near or [""])
 
 
 def test_another_case_is_nearer_than_another_letter() -> None:
-    assert nearest("mpa", {"Mpo": "o", "MPa": "p"}) == "p"
+    assert nearest("mpa", spellings({"Mpo": "o", "MPa": "p"})) == "p"
 
 
 @pytest.mark.parametrize(
