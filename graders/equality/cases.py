@@ -10,18 +10,20 @@ than a search.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any, NamedTuple, TypeAlias
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 from flint import arb
 
 from graders.equality.deciding import PRECISIONS, Finding, exactly, share_of, zero
-from graders.equality.probing import side_of_zero
+from graders.equality.multiples import Known, at_edge, multiple
+from graders.equality.signs import Column, Screened, Signed, implied, screened
 from graders.equality.steep import EXPONENTS
 from graders.equality.turns import needed
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
-from graders.language.intervals import ALL, INTERVALS, Interval
+from graders.language.intervals import ALL, INTERVALS, Interval, side_of_zero
 from graders.language.program import Operation, Program, Runner
 from graders.states import Point
 
@@ -34,44 +36,39 @@ BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
 SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
 POLES = frozenset(("/", "tan", "cot"))
 AROUND_ONE: Interval = (0.5, 1.5)
+NOTHING = 1e-6  # of a product: a greater difference is one in doubles
 REACH = 2.0  # of drawn numbers, where the values of a function reach further
-
-Column: TypeAlias = Sequence[Any]  # a ball at each of the points
 
 
 class Unsettled(ArithmeticError):
     """The cases would take longer than a search, or say nothing."""
 
 
-class Known(NamedTuple):
-    """A function for which a number was drawn: its kind, its arguments, the number."""
-
-    kind: str
-    arguments: Sequence[Column]
-    value: Column
-
-
 class Choice(NamedTuple):
-    """An argument whose sign chooses, its values on the box, the functions above and below zero."""
+    """An argument whose sign chooses, its values on the box, the functions above and below zero.
+
+    Without functions its sign is chosen first, for it is a factor of what chooses.
+    """
 
     inside: Column
     ends: Interval
-    values: tuple[Column, Column]
+    values: tuple[Column, Column] | None
 
 
 class Case(NamedTuple):
     """What was chosen so far: values of all slots, signs of arguments, numbers drawn, slots of roots of squares."""
 
     slots: list[Column]
-    signs: list[tuple[Column, bool]]
+    signs: list[Signed]
     known: list[Known]
     squares: list[int]
 
     def where(self, chosen: Choice, below: bool, slot: int) -> Case:
         """Give the case in which one more argument has a sign."""
-        signs = [*self.signs, (chosen.inside, below)]
+        signs = [*self.signs, Signed(chosen.inside, below)]
         found = Case(list(self.slots), signs, list(self.known), list(self.squares))
-        found.slots[slot] = chosen.values[below]
+        if chosen.values is not None:
+            found.slots[slot] = chosen.values[below]
         return found
 
 
@@ -83,6 +80,7 @@ class Cases:
         lines: Slots of the earlier names on which the reference stands.
         points: Points of the box.
         ranges: The values of all slots on the box; empty where no box is known.
+        signed: Slots that have one sign inside the box.
         turning: Slots of the functions whose arguments may turn in the box, and of those that are steep.
         mutual: Whether the two differ also where only the reference has no value.
         fine: Bits beyond 30 digits by which two sides are told apart.
@@ -90,8 +88,9 @@ class Cases:
 
     def __init__(
         self, program: Program, lines: Sequence[int], points: Sequence[Point], ranges: Sequence[Interval],
-        turning: frozenset[int], mutual: bool, fine: int,
+        signed: frozenset[int], turning: frozenset[int], mutual: bool, fine: int,
     ) -> None:  # fmt: skip
+        self.signed = signed
         self.fine, self.share = fine, share_of(fine)
         self.program, self.lines, self.points, self.mutual = program, lines, points, mutual
         self.turning, self.left = turning, WORK
@@ -99,10 +98,19 @@ class Cases:
         self.operations = list(enumerate(program.operations, len(program.inputs)))
         self.steep = any(slot in turning and name in EXPONENTIAL for slot, (name, _) in self.operations)
         self.loose = set[int]()  # slots that stand on drawn numbers
+        self.chosen = set[int]()  # slots that stand on these or on what was chosen
+        self.special = set[int]()  # slots of functions that choose or are drawn
+        self.steady = list[Screened]()
         for slot, (name, arguments) in self.operations:
-            if not self.loose.isdisjoint(arguments) or (name not in CHOOSING and self._is_drawn(name, slot)):
+            drawn, chooses = self._is_drawn(name, slot), name in CHOOSING
+            if drawn or chooses:
+                self.special.add(slot)
+            if not self.loose.isdisjoint(arguments) or (drawn and not chooses):
                 self.loose.add(slot)
-        self.operations.sort(key=lambda one: one[0] in self.loose)
+            if chooses or slot in self.loose or not self.chosen.isdisjoint(arguments):
+                self.chosen.add(slot)
+        self.operations.sort(key=lambda one: (one[0] in self.loose) + (one[0] in self.chosen))
+        self.heads = {arguments[0] for name, arguments in program.operations if name in CHOOSING}
 
     def agree(self, runner: Runner) -> bool:
         """Tell whether the two agree in every case; False where this is not shown.
@@ -120,22 +128,33 @@ class Cases:
 
     def _agree(self, start: int, case: Case) -> bool:
         """Go on with a case from an operation on, parted where a sign is open."""
+        slots = case.slots
         for at in range(start, len(self.operations)):
             slot, (name, arguments) = self.operations[at]
             self._spend()
-            columns = [case.slots[argument] for argument in arguments]
-            chosen = self._choice(name, slot, arguments, case)
+            columns = [slots[argument] for argument in arguments]
+            chosen = self._choice(name, slot, arguments, case) if slot in self.special else None
             if chosen is not None:
                 below = self._below(chosen, case, name == "macaulay" and columns[1][0].is_zero())
-                if below is None:
-                    return all(self._agree(at + 1, case.where(chosen, way, slot)) for way in (False, True))
-                case.slots[slot] = chosen.values[below]
-            elif self._is_drawn(name, slot):
-                case.slots[slot] = self._drawn(name, slot, arguments, case)
+                if below is None or chosen.values is None:
+                    after = at + (chosen.values is not None)
+                    return all(self._agree(after, case.where(chosen, way, slot)) for way in (False, True))
+                slots[slot] = chosen.values[below]
             else:
-                function = BALLS.function(name)
-                case.slots[slot] = list(map(function, *columns)) if columns else [function()] * len(self.points)
+                slots[slot] = self._value(name, slot, arguments, columns, case)
         return self._equal(case)
+
+    def _value(self, name: str, slot: int, arguments: Sequence[int], columns: Sequence[Column], case: Case) -> Column:
+        """Give the values of a function that chooses nothing."""
+        if slot in self.special:
+            edge = at_edge(name, columns[0]) if slot in self.turning else None
+            if edge is not None:
+                case.squares.append(slot)
+                return [edge] * len(self.points)
+            if self._is_drawn(name, slot):
+                return self._drawn(name, slot, arguments, case)
+        function = BALLS.function(name)
+        return list(map(function, *columns)) if columns else [function()] * len(self.points)
 
     def _spend(self) -> None:
         self.left -= 1
@@ -164,20 +183,43 @@ class Cases:
         return Choice(inside, ends, (one, other) if name == "max" else (other, one))
 
     def _signed(self, slot: int, values: tuple[Column, Column], case: Case) -> Choice:
-        """Choose by the sign of a slot: by that of its only factor whose sign is open, if it is a product."""
+        """Choose by the sign of a slot: of a product by that of its only factor whose sign is open.
+
+        Where the signs of both factors are open and one of them chooses elsewhere, this one is chosen first.
+        """
         first = len(self.program.inputs)
         while slot >= first and self._operation(slot)[0] in ("*", "/"):
             parts = self._operation(slot)[1]
-            sides = [side_of_zero(self.ranges[part]) for part in parts]
+            sides = [self._side(part, case) for part in parts]
+            if sides.count(0) == 2 and not self.heads.isdisjoint(parts):
+                part = parts[0] if parts[0] in self.heads else parts[1]
+                return Choice(case.slots[part], self.ranges[part], None)
+            if 0 not in sides:
+                return Choice(case.slots[slot], (-math.inf, 0.0) if sides[0] != sides[1] else (0.0, math.inf), values)
             if sides.count(0) != 1:
                 break
             slot, values = parts[sides.index(0)], values if sum(sides) > 0 else (values[1], values[0])
         return Choice(case.slots[slot], self.ranges[slot], values)
 
+    def _side(self, slot: int, case: Case) -> int:
+        """Give the sign of a slot on the box or in a case; 0 where it is open."""
+        low, high = self.ranges[slot]
+        if slot in self.signed:
+            return 1 if low >= 0 else -1
+        side = side_of_zero((low, high))
+        if not side and slot in self.heads:
+            below = self._below(Choice(case.slots[slot], (low, high), None), case, False)
+            side = 0 if below is None else -1 if below else 1
+        return side
+
     def _square(self, slot: int, radicand: Column, case: Case) -> Choice | None:
         """Give the root of a multiple of a square as one of two functions."""
+        one, two = float(radicand[0]), float(radicand[1])
         for at, column in enumerate(case.slots[: len(self.program.inputs) + len(self.operations)]):
             if column[0] is None or column is radicand:
+                continue
+            first, second = float(column[0]), float(column[1])
+            if abs(one * second * second - two * first * first) > NOTHING * abs(two) * first * first:
                 continue
             factor = self._ratio(radicand, [x * x for x in column])
             if factor is not None and factor > 0:
@@ -195,10 +237,23 @@ class Cases:
             if factor is not None and factor > 0:
                 return below
             if factor is not None and factor < 0:
-                if is_step:  # both steps are one where their argument vanishes
+                if is_step and any(x.contains(0) for x in known):  # both steps are one where their argument vanishes
                     raise Unsettled
                 return not below
-        return None
+        if not case.signs:
+            return None
+        self._spend()
+        return implied(chosen.inside, case.signs, self._of_one_sign(case))
+
+    def _of_one_sign(self, case: Case) -> list[Screened]:
+        """Give one, and the symbols and sums of one sign that hang on no choice: they are the same in every case."""
+        if not self.steady:
+            self.steady.append(screened(Signed([arb(1)] * len(self.points), False)))
+            first = len(self.program.inputs)
+            sums = {slot for slot, (name, _) in self.operations if name in ("+", "-")}
+            for slot in sorted(self.signed & {*range(first), *sums} - self.chosen):
+                self.steady.append(screened(Signed(case.slots[slot], not self.ranges[slot][0] >= 0)))
+        return self.steady
 
     def _is_drawn(self, name: str, slot: int) -> bool:
         return name in ALWAYS or (slot in self.turning and name not in POLES) or (self.steep and name in EXPONENTS)
@@ -206,7 +261,7 @@ class Cases:
     def _drawn(self, name: str, slot: int, arguments: Sequence[int], case: Case) -> Column:
         """Give the value of a function by a number that is drawn where it is met first."""
         columns, kind = [case.slots[argument] for argument in arguments], SHIFTED.get(name, name)
-        if name == "^" and self.ranges[arguments[0]][0] > 0:
+        if name == "^" and arguments[0] in self.signed and self.ranges[arguments[0]][0] >= 0:
             columns, kind, name = [[x.log() * power for x, power in zip(*columns, strict=True)]], "exponent", "exp"
         elif name in EXPONENTS:
             kind = "exponent"
@@ -214,7 +269,7 @@ class Cases:
         if found is None:
             found = self._number(AROUND_ONE if kind == "exponent" or name in SHIFTED else self.ranges[slot], slot)
             case.known.append(Known(kind, columns, found))
-            case.signs.extend([(found, False)] if name == "sqrt" else ())
+            case.signs.extend([Signed(found, False)] if name == "sqrt" else ())
         if name in SHIFTED:
             return [arb.pi() / 2 - x for x in found]
         return [BALLS.function(name)(x) for x in found] if kind == "exponent" else found
@@ -224,7 +279,7 @@ class Cases:
         for other, arguments, value in case.known:
             if other == kind:
                 factors = [self._ratio(one, two) for one, two in zip(columns, arguments, strict=True)]
-                again = None if None in factors else _multiple(kind, factors, value)
+                again = None if None in factors else multiple(kind, factors, value)
                 if again is None and kind == "sqrt":
                     again = self._scaled(columns[0], arguments[0], value, case)
                 if again is not None:
@@ -234,7 +289,7 @@ class Cases:
     def _scaled(self, one: Column, other: Column, root: Column, case: Case) -> Column | None:
         """Give the root of an argument from that of another one that is its multiple by the square of a symbol."""
         for at, column in enumerate(case.slots[: len(self.program.inputs)]):
-            if side_of_zero(self.ranges[at]):
+            if at in self.signed:
                 squares = [x * x for x in column]
                 factor = self._ratio(one, [x * square for x, square in zip(other, squares, strict=True)])
                 if factor is not None and factor > 0:
@@ -261,12 +316,12 @@ class Cases:
         if one is other:
             return arb(1)
         self._spend()
-        factor = one[0] / other[0]
-        multiples = [factor * x for x in other]
-        if not (one[1] - multiples[1]).contains(0):
+        if not (one[0] * other[1]).overlaps(one[1] * other[0]):
             return None
+        factor = one[0] / other[0]
         same = all(
-            zero(a, b, PRECISIONS[0], self.share) is Finding.EQUAL for a, b in zip(one[1:], multiples[1:], strict=True)
+            zero(a, factor * b, PRECISIONS[0], self.share) is Finding.EQUAL
+            for a, b in zip(one[1:], other[1:], strict=True)
         )
         return factor if same else None
 
@@ -292,7 +347,7 @@ class Cases:
             inside = arguments[-1]
             if inside not in self.loose or (name == "/" and self._positive(inside)):
                 return False
-            return name != "/" or not side_of_zero(self.ranges[inside])
+            return name != "/" or inside not in self.signed
         if name in ("macaulay", "log_base"):
             return arguments[1] >= 0 or (name == "log_base" and slot in self.turning)
         if slot not in self.turning or name in UNENDED or name.startswith("power"):
@@ -324,33 +379,8 @@ class Cases:
         factors = [self._ratio(case.slots[a], case.slots[b]) for a, b in zip(one[first:], two[first:], strict=True)]
         if None in factors:
             return False
-        return name == "/" or (factors[0] > 0 if name in BEYOND else _multiple(kind, factors, (arb(1),)) is not None)
+        return name == "/" or (factors[0] > 0 if name in BEYOND else multiple(kind, factors, (arb(1),)) is not None)
 
 
 def _same(one: Any, other: Any, share: Any) -> bool:
     return zero(one, other, PRECISIONS[0], share) is Finding.EQUAL or (one.is_zero() and other.is_zero())
-
-
-def _is_one(factor: Any) -> bool:
-    return zero(factor, arb(1), PRECISIONS[0]) is Finding.EQUAL
-
-
-MULTIPLES: Mapping[str, Callable[[Any, Any], Any]] = {  # f(k u) from k and f(u)
-    "exponent": lambda k, value: k * value,
-    "sqrt": lambda k, value: k.sqrt() * value if k > 0 else None,
-    "ln": lambda k, value: k.log() + value if k > 0 else None,
-    "sign": lambda k, value: value if k > 0 else -value if k < 0 else None,
-    "asin": lambda k, value: k * value if _is_one(abs(k)) else None,
-    "atan": lambda k, value: k * value if _is_one(abs(k)) else None,
-}
-
-
-def _multiple(kind: str, factors: Sequence[Any], value: Column) -> Column | None:
-    """Give a function of multiples of arguments from its number for these; None where it is another number."""
-    factor = factors[0]
-    if kind in MULTIPLES:
-        found = [MULTIPLES[kind](factor, x) for x in value]
-        return None if None in found else found
-    if kind == "atan2":
-        return value if factor > 0 and _is_one(factor / factors[1]) else None
-    return value if all(map(_is_one, factors)) else None

@@ -68,7 +68,10 @@ class Balls:
             try:
                 right, typed = (self.runners.get(bits) or self.runner(bits)).run(exactly(point))
             except UndefinedError:
-                return self._one_sided(point)
+                found = self._one_sided(point)
+                if found is not None or bits > SETTLING:
+                    return found or Finding.UNDECIDED
+                continue
             found = zero(right, typed, bits, share)
             if found is not None:
                 return found
@@ -85,19 +88,22 @@ class Balls:
             runner = self.runners[bits] = Runner(self.program, BALLS)
         return runner
 
-    def _one_sided(self, point: Point) -> Finding:
+    def _one_sided(self, point: Point) -> Finding | None:
+        """Tell where one of the two has no value whether the other has one; None where that is not sure."""
         one, other = self.program.outputs
         right, typed = self._exists((one, *self.lines), point), self._exists((other,), point)
-        if right and not typed:
-            return Finding.UNDEFINED
-        return Finding.UNDEFINED if self.mutual and typed and not right else Finding.NOWHERE
+        if right is False and (typed is False or not self.mutual):
+            return Finding.NOWHERE
+        if right is None or typed is None:
+            return None
+        return Finding.UNDEFINED if right is not typed else Finding.NOWHERE
 
-    def _exists(self, outputs: tuple[int, ...], point: Point) -> bool:
+    def _exists(self, outputs: tuple[int, ...], point: Point) -> bool | None:
         try:
-            Runner(self.program.only(*outputs), BALLS).run(exactly(point))
+            values = Runner(self.program.only(*outputs), BALLS).run(exactly(point))
         except UndefinedError:
             return False
-        return True
+        return True if all(value.is_finite() for value in values) else None
 
 
 @lru_cache(maxsize=4096)

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 from graders.equality.cases import Cases
 from graders.equality.deciding import PRECISIONS, Balls, Finding, fineness
-from graders.equality.probing import Row, Search, looks, open_turns
+from graders.equality.probing import Row, Search, all_met, looks, open_turns
 from graders.equality.steep import may_be_steep, steep, summits
-from graders.equality.turns import TURNING, Turn, together, turning, turns
+from graders.equality.turns import TURNING, Joint, Turn, together, turning, turns
 from graders.judge import Domain, Formula
 from graders.language.doubles import DOUBLES, domain_test
 from graders.language.intervals import Interval
@@ -70,6 +70,7 @@ class Turned:
         functions: Slots of the functions in which it does.
         slots: The ranges of all slots on the box.
         steep: Slots of the exponentials and high powers that range widely.
+        signed: Slots that have one sign inside the box.
     """
 
     program: Program
@@ -77,6 +78,7 @@ class Turned:
     functions: frozenset[int]
     slots: list[Interval]
     steep: frozenset[int]
+    signed: frozenset[int]
 
 
 class Pair:
@@ -112,16 +114,25 @@ class Pair:
 
     def _look(self) -> Turned:
         if self.smooth:
-            return Turned(self.program, [], frozenset(), [], frozenset())
+            return Turned(self.program, [], frozenset(), [], frozenset(), frozenset())
         right, typed = self.program.outputs
         found, slots = turns(self.builder, (right, *self.lines), typed) if self.turning else [], list[Interval]()
+        signed = frozenset[int]()
         if self.states.box:
-            found, slots = open_turns(self._with(found), self.states.box, found)
+            found, slots, signed = self._opened(found)
         opened = {turn.slot for turn in found}
         functions = turning(self.builder, len(self.program.operations), opened) if opened else frozenset[int]()
         if len(found) > self.most_turns:
             self.searched, found = False, found[: self.most_turns]
-        return Turned(self._with(found), found, functions, slots, steep(self.program, slots))
+        return Turned(self._with(found), found, functions, slots, steep(self.program, slots), signed)
+
+    def _opened(self, found: Sequence[Turn]) -> tuple[list[Turn], list[Interval], frozenset[int]]:
+        """Give what may turn in the box, the ranges of all slots there, and the slots that have one sign."""
+        return open_turns(self._with(found), self.states.box, found)
+
+    def _all_met(self, groups: Sequence[Joint]) -> bool:
+        """Tell whether the points that were drawn hold all that a search could find."""
+        return not self.turned.steep and all_met(self.turns, groups, self.rows, self.mutual)
 
     def _with(self, found: Sequence[Turn]) -> Program:
         return self.builder.program(*self.program.outputs, *(turn.slot for turn in found))
@@ -176,15 +187,8 @@ class Pair:
         points, turned = self.points[:CASES], self.turned
         if len(set(points)) < CASES or self.balls.at(points[0]) is not Finding.EQUAL:
             return None
-        cases = Cases(
-            self.program,
-            self.lines,
-            points,
-            turned.slots,
-            turned.functions | turned.steep,
-            self.mutual,
-            self.balls.fine,
-        )
+        turning, fine = turned.functions | turned.steep, self.balls.fine
+        cases = Cases(self.program, self.lines, points, turned.slots, turned.signed, turning, self.mutual, fine)
         return EQUAL if cases.agree(self.balls.runner(PRECISIONS[0])) else None
 
     def _at_summits(self) -> Comparison | None:
@@ -236,12 +240,14 @@ class Pair:
         yield self._places(zip(self.rows, self.points, strict=True), None)
         if not self.states.box:
             return
+        groups = together(self.builder, turned.turns, self.program.outputs)
+        if self._all_met(groups):
+            return
         search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines)
         found = list(search.beside(turned.turns, [turned.slots[turn.slot] for turn in turned.turns]))
         crossed = [point for point, touched in found if not touched]
         rows = looks(doubles, crossed)
         yield self._places(zip(rows, crossed, strict=True), None)
-        groups = together(self.builder, turned.turns, self.program.outputs)
         joint = list(search.joint(turned.turns, groups, [*self.rows, *rows])) if groups else []
         yield self._places(zip(looks(doubles, joint), joint, strict=True), None)
         touching = [point for point, touched in found if touched]

@@ -8,16 +8,16 @@ from dataclasses import dataclass, field
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
+from graders.equality.inside import one_signed
 from graders.equality.sides import Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
-from graders.language.intervals import INTERVALS, Interval
+from graders.language.intervals import INTERVALS, Interval, side_of_zero
 from graders.language.program import Program, Runner
 from graders.states import Point
 
 ALIKE = 1e-9  # relative difference of the ratios of two arguments that turn together
-MARGIN = 1e-12  # of an interval's ends, which are not rounded outwards
 
 WORK, LESS_WORK = 3000, 400  # operations on intervals of one search: where its end matters, and elsewhere
 MOST_JOINT = 24  # ways in which signs go together that are searched for
@@ -53,10 +53,16 @@ def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
         return [look(runner, point) for point in points]
 
 
-def open_turns(program: Program, box: Sequence[Domain], turns: Sequence[Turn]) -> tuple[list[Turn], list[Interval]]:
-    """Give the turns that may change their sign in a box, or touch the zero of an edge, and the ranges of all slots."""
+def open_turns(
+    program: Program, box: Sequence[Domain], turns: Sequence[Turn]
+) -> tuple[list[Turn], list[Interval], frozenset[int]]:
+    """Give the turns that may change their sign in a box, or touch the zero of an edge inside.
+
+    Beside them the ranges of all slots, and the slots that have one sign inside.
+    """
     slots = Runner(program, INTERVALS).slots(whole(box))
-    return [turn for turn in turns if _open(turn, slots[turn.slot])], slots
+    signed = one_signed(program, slots, box)
+    return [turn for turn in turns if turn.slot not in signed and _open(turn, slots[turn.slot])], slots, signed
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,6 +173,25 @@ class Search:
         )
 
 
+def all_met(turns: Sequence[Turn], groups: Sequence[Joint], rows: Sequence[Row], mutual: bool) -> bool:
+    """Tell whether the states that were looked at hold all that a search could find.
+
+    Where each of what turns stands in a sum alone, two states that differ in its sign only tell what it does; where
+    some act on one another, all ways in which signs go together do. Edges are always searched: they may be touched.
+    """
+    if any(turn.edge for turn in turns):
+        return False
+    states = [row for row in rows if math.isfinite(row[0]) or (mutual and math.isfinite(row[1]))]
+    columns = list(zip(*(row[2:] for row in states if all(row[2:])), strict=True))
+    apart = [column for at, column in enumerate(columns) if _first_tied(at, columns)[0] == at]
+    met: set[tuple[bool, ...]] = set(zip(*([value > 0 for value in column] for column in apart), strict=True))
+    if groups:
+        return len(met) == 1 << len(apart)
+    return len(met) > 1 and all(
+        any((*way[:at], not way[at], *way[at + 1 :]) in met for way in met) for at in range(len(apart))
+    )
+
+
 def _ways(groups: Sequence[Joint], columns: Sequence[Sequence[float]]) -> Iterator[tuple[Joint, list[float]]]:
     """Give the unseen ways of the signs of each group as factors that make all of its turns negative.
 
@@ -230,13 +255,6 @@ def _number(value: float) -> float:
 def _open(turn: Turn, values: Interval) -> bool:
     """Tell whether an argument may change its sign in the box, or touch the zero of an edge."""
     return not side_of_zero(values) and (turn.edge or not values[0] >= 0)
-
-
-def side_of_zero(values: Interval) -> int:
-    """Give the sign of all of some values; 0 where it may be either, or none."""
-    low, high = values
-    margin = MARGIN * max(abs(low), abs(high))
-    return int(low > margin) - int(high < -margin)
 
 
 def _alike(one: Sequence[Found], other: Sequence[Found]) -> bool:

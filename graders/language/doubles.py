@@ -49,7 +49,7 @@ DOUBLES = Arithmetic(
     {
         "+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": _power,
         "negate": operator.neg, "degrees": lambda x: x * DEGREE, "pi": lambda: math.pi,
-        "integer_power": lambda base, n: base**n,
+        "integer_power": operator.pow,
         "sin": math.sin, "cos": math.cos, "tan": math.tan, "cot": lambda x: 1 / math.tan(x),
         "asin": math.asin, "acos": math.acos, "atan": math.atan, "acot": lambda x: math.pi / 2 - math.atan(x),
         "atan2": math.atan2, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh, "exp": math.exp,

@@ -17,6 +17,15 @@ Interval: TypeAlias = tuple[float, float]
 
 ALL: Interval = (-math.inf, math.inf)
 TURN = 2 * math.pi
+MARGIN = 1e-12  # of the ends, which are not rounded outwards
+
+
+def side_of_zero(values: Interval) -> int:
+    """Give the sign of all of some values; 0 where it may be either, or none."""
+    low, high = values
+    margin = MARGIN * max(abs(low), abs(high))
+    margin = margin if margin < math.inf else 0.0
+    return int(low > margin) - int(high < -margin)
 
 
 def _literal(number: Number) -> Interval:

@@ -52,7 +52,7 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     box = tuple(Domain(low, high) for low, high in scene.ranges)
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(2 * len(program.operations))
-    found, slots = open_turns(program, box, found)
+    found, slots, _ = open_turns(program, box, found)
     every, found = len(found), found[:MOST_TURNS]
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))

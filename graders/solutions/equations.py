@@ -14,10 +14,11 @@ from itertools import islice, product, zip_longest
 from flint import arb
 
 from graders.equality import Finding
+from graders.equality.turns import TURNING
 from graders.language.balls import precision
 from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside, flat_zero
-from graders.solutions.branches import Branches, branch_starts
+from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.reduction import degrees, factors, reduced, residual
 from graders.solutions.scene import (
@@ -146,6 +147,8 @@ class Pair:
 
     @cached_property
     def _found(self) -> Branches:
+        if TURNING.isdisjoint(name for name, _ in self.both.program.operations):
+            return NONE
         return branch_starts(self.scene, (self.trees[:1], self.trees[1:]), self.both.effort, BRANCHES)
 
     @property

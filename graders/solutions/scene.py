@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import hashlib
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import accumulate
 from typing import Any
 
 from flint import arb, ctx
 
+from graders.equality.probing import looks
 from graders.language.balls import BALLS
-from graders.language.doubles import DOUBLES, UndefinedError, run
+from graders.language.doubles import DOUBLES, UndefinedError
 from graders.language.program import Builder, Program, Runner
 from graders.language.tree import Tree, names
 
 BITS = 256
 POINTS = 24
 WORK = 60_000  # operations of one comparison; beyond it is undecided
+TOGETHER = 4  # runs of all residuals at once, behind which those that are asked for run alone
 EDGE = 2.0**-10  # points keep this share of a range away from its ends
 
 
@@ -131,8 +134,9 @@ class Residuals:
         self.program = self._program([tree for trees in self.sides for tree in trees])
         self.cost = len(self.program.operations) + 4
         self.starts = list(accumulate(map(len, self.sides), initial=0))
-        self._balls: dict[tuple[int, int | None], Runner] = {}
+        self._balls: dict[tuple[int, tuple[int, ...]], Runner] = {}
         self._doubles: dict[int, Runner] = {}
+        self._asked = Counter[tuple[int, ...]]()
 
     def _program(self, trees: Sequence[Tree]) -> Program:
         builder = Builder(self.scene.names)
@@ -140,12 +144,12 @@ class Residuals:
             builder.define(name, line)
         return builder.program(*[builder.add(tree) for tree in trees])
 
-    def _runner(self, output: int | None = None) -> Runner:
-        """Make ready the program, or what one output needs, for the precision of now."""
-        runner = self._balls.get((ctx.prec, output))
+    def _runner(self, outputs: tuple[int, ...] = ()) -> Runner:
+        """Make ready the program, or what some outputs need, for the precision of now."""
+        runner = self._balls.get((ctx.prec, outputs))
         if runner is None:
-            program = self.program if output is None else self.program.only(self.program.outputs[output])
-            runner = self._balls[ctx.prec, output] = Runner(program, BALLS)
+            program = self.program.only(*(self.program.outputs[at] for at in outputs)) if outputs else self.program
+            runner = self._balls[ctx.prec, outputs] = Runner(program, BALLS)
         return runner
 
     def balls(self, point: Sequence[arb]) -> list[arb | None]:
@@ -157,20 +161,35 @@ class Residuals:
             return [self.ball(point, output) for output in range(len(self.program.outputs))]
         return [value if value.is_finite() else None for value in values]
 
-    def ball(self, point: Sequence[arb], output: int) -> arb | None:
-        """Enclose one residual alone."""
+    def some(self, point: Sequence[arb], outputs: tuple[int, ...]) -> list[arb] | None:
+        """Enclose some residuals; None where one of them is not proved to exist."""
         self.effort.spend(self.cost)
+        self._asked[outputs] += 1
+        values = self._together(point, outputs) if self._asked[outputs] <= TOGETHER else None
         try:
-            (value,) = self._runner(output).run(point)
+            values = values or self._runner(outputs).run(point)
         except (ArithmeticError, ValueError, TypeError):
             return None
-        return value if value.is_finite() else None
+        return values if all(value.is_finite() for value in values) else None
+
+    def _together(self, point: Sequence[arb], outputs: tuple[int, ...]) -> list[arb] | None:
+        """Enclose some residuals by a run of all; a program of their own pays only where they are asked for often."""
+        try:
+            slots = self._runner().slots(point)
+        except (ArithmeticError, ValueError, TypeError):
+            return None
+        return [slots[self.program.outputs[at]] for at in outputs]
+
+    def ball(self, point: Sequence[arb], output: int) -> arb | None:
+        """Enclose one residual alone."""
+        found = self.some(point, (output,))
+        return found[0] if found is not None else None
 
     def nowhere(self, point: Sequence[arb], output: int) -> bool:
         """Tell whether one residual is proved to have no value at a point."""
         self.effort.spend(self.cost)
         try:
-            self._runner(output).run(point)
+            self._runner((output,)).run(point)
         except UndefinedError:
             return True
         except (ArithmeticError, ValueError, TypeError):
@@ -185,25 +204,20 @@ class Residuals:
 
     def along(self, place: tuple[int, int], base: Sequence[float], at: int, values: Sequence[float]) -> list[float]:
         """Give one residual in doubles along a symbol, by its side and its place there; NaN where it has no value."""
-        runner, point, found = self._doubles_of(place[0]), list(base), list[float]()
+        runner, before, after = self._doubles_of(place[0]), base[:at], base[at + 1 :]
         self.effort.spend(len(values) * (len(runner.code) // 2 + 2))
-        for value in values:
-            point[at] = value
-            try:
-                found.append(float(runner.run(point)[place[1]]))
-            except (ValueError, ArithmeticError, TypeError):
-                found.append(math.nan)
-        return found
+        points = [(*before, value, *after) for value in values]
+        return [float(row[place[1]]) for row in looks(runner, points)]
 
     def doubles(self, which: int, point: Sequence[float]) -> list[float] | None:
         """Give the residuals of one side in doubles; None where they have no finite value."""
-        runner = self._doubles_of(which)
+        runner = self._doubles.get(which) or self._doubles_of(which)
         self.effort.spend(len(runner.code) // 2 + 2)
         try:
-            values: list[float] = run(runner, list(point))
-        except UndefinedError:
+            values = runner.run(point)
+            return values if all(map(math.isfinite, values)) else None
+        except (ValueError, ArithmeticError, TypeError):
             return None
-        return values if all(map(math.isfinite, values)) else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,23 +227,20 @@ class Side:
     pair: Residuals
     which: int
     only: tuple[int, ...] = ()
+    places: tuple[int, ...] = field(init=False)  # of its residuals among all outputs
+
+    def __post_init__(self) -> None:
+        start, count = self.pair.starts[self.which], len(self.pair.sides[self.which])
+        object.__setattr__(self, "places", tuple([start + at for at in self.only or range(count)]))
 
     @property
     def scene(self) -> Scene:
         """Give the scene."""
         return self.pair.scene
 
-    @property
-    def places(self) -> Sequence[int]:
-        """Give the places of its residuals among all outputs."""
-        start, count = self.pair.starts[self.which], len(self.pair.sides[self.which])
-        return [start + index for index in self.only or range(count)]
-
     def balls(self, point: Sequence[arb]) -> list[arb] | None:
         """Enclose the residuals; None where one of them is not proved to exist."""
-        values = self.pair.balls(point)
-        found = [value for place in self.places for value in (values[place],) if value is not None]
-        return found if len(found) == len(self.places) else None
+        return self.pair.some(point, self.places)
 
     def ball(self, point: Sequence[arb], index: int) -> arb | None:
         """Enclose one residual; None where it is not proved to exist."""

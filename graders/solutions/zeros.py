@@ -45,7 +45,9 @@ class Line:
 
     def double(self, x: float) -> float:
         """Give the value in doubles; NaN where it has none."""
-        values = self.side.doubles(moved(self.base, self.at, x))
+        point = list(self.base)
+        point[self.at] = x
+        values = self.side.doubles(point)
         return values[self.index] if values else math.nan
 
     @property

@@ -1,0 +1,74 @@
+"""Which parts of a formula keep one sign inside a box although they vanish at an end of it, as `x` does from 0 to 1."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from graders.judge import Domain
+from graders.language.intervals import MARGIN, Interval
+from graders.language.program import Program
+
+KEEPING = frozenset(("sqrt", "negate", "degrees", "abs", "sinh", "tanh", "atan", "asin", "*", "/"))  # sign or zero
+POSITIVE = frozenset(("exp", "cosh"))
+
+
+def one_signed(program: Program, slots: Sequence[Interval], box: Sequence[Domain]) -> frozenset[int]:
+    """Give the slots that have one sign, and are zero nowhere, strictly inside a box.
+
+    Args:
+        program: Its operations.
+        slots: The ranges of all slots on the box.
+        box: The domains of the inputs.
+    """
+    first, found = len(box), set[int]()
+    signs = Signs(program, slots, box, found)
+    for slot in range(-len(program.literals), first + len(program.operations)):
+        low, high = slots[slot]
+        if low > 0:
+            apart = low > MARGIN * high or high == math.inf
+        elif high < 0:
+            apart = high < MARGIN * low or low == -math.inf
+        else:
+            apart = False
+        if apart or ((low >= 0 or high <= 0) and signs.kept(slot)):
+            found.add(slot)
+    return frozenset(found)
+
+
+class Signs:
+    """What is known of slots whose range ends at zero."""
+
+    __slots__ = ("box", "found", "program", "slots")
+
+    def __init__(self, program: Program, slots: Sequence[Interval], box: Sequence[Domain], found: set[int]) -> None:
+        self.program, self.slots, self.box, self.found = program, slots, box, found
+
+    def kept(self, slot: int) -> bool:
+        """Tell whether a slot is zero nowhere inside: an end that is never taken, or a function that keeps a sign."""
+        low, high = self.slots[slot]
+        if (low == 0 and self.unreached(slot, 0)) or (high == 0 and self.unreached(slot, 1)):
+            return True
+        return slot >= len(self.box) and self._keeps(*self.program.operations[slot - len(self.box)])
+
+    def unreached(self, slot: int, end: int) -> bool:
+        """Tell whether the least (0) or the greatest value (1) is taken at the border of the box alone."""
+        if slot < len(self.box):
+            return slot >= 0 and not self.box[slot].integer
+        name, arguments = self.program.operations[slot - len(self.box)]
+        if name not in ("+", "-", "negate"):
+            return False
+        last = end if name == "+" else 1 - end
+        return self.unreached(arguments[-1], last) or (name != "negate" and self.unreached(arguments[0], end))
+
+    def _keeps(self, name: str, arguments: Sequence[int]) -> bool:
+        """Tell whether a function has one sign because its arguments have."""
+        if name in KEEPING or name[:5] == "power":
+            return self.found.issuperset(arguments)
+        if name == "^" or name == "root":
+            return arguments[0] in self.found and self.slots[arguments[0]][0] >= 0
+        if name == "+" or name == "-":
+            (low, high), other = self.slots[arguments[0]], self.slots[arguments[1]]
+            least, most = other if name == "+" else (-other[1], -other[0])
+            return not self.found.isdisjoint(arguments) and ((low >= 0 and least >= 0) or (high <= 0 and most <= 0))
+        return name in POSITIVE

@@ -1,0 +1,64 @@
+"""What the value of a function says of another: at the end of its domain, or for a multiple of its argument."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb
+
+from graders.equality.deciding import SMALL
+from graders.equality.signs import Column
+
+AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at the ends of domains
+    "sqrt": ((0, lambda: arb(0)),),
+    "asin": ((1, lambda: arb.pi() / 2), (-1, lambda: -arb.pi() / 2)),
+    "acos": ((1, lambda: arb(0)), (-1, arb.pi)),
+}
+
+
+class Known(NamedTuple):
+    """A function for which a number was drawn: its kind, its arguments, the number."""
+
+    kind: str
+    arguments: Sequence[Column]
+    value: Column
+
+
+def at_edge(name: str, column: Column) -> Any:
+    """Give the value of a function whose argument is an end of its domain at all points; None where it is not."""
+    for edge, value in AT_EDGE.get(name, ()):
+        if all(_is_number(x, edge) for x in column):
+            return value()
+    return None
+
+
+def is_one(factor: Any) -> bool:
+    """Tell whether a ball is one to thirty digits."""
+    return _is_number(factor, 1)
+
+
+def _is_number(value: Any, number: int) -> bool:
+    """Tell whether a ball holds a whole number and nothing that thirty digits tell from it."""
+    return bool((value - number).abs_upper() < SMALL)
+
+
+MULTIPLES: Mapping[str, Callable[[Any, Any], Any]] = {  # f(k u) from k and f(u)
+    "exponent": lambda k, value: k * value,
+    "sqrt": lambda k, value: k.sqrt() * value if k > 0 else None,
+    "ln": lambda k, value: k.log() + value if k > 0 else None,
+    "sign": lambda k, value: value if k > 0 else -value if k < 0 else None,
+    "asin": lambda k, value: k * value if is_one(abs(k)) else None,
+    "atan": lambda k, value: k * value if is_one(abs(k)) else None,
+}
+
+
+def multiple(kind: str, factors: Sequence[Any], value: Column) -> Column | None:
+    """Give a function of multiples of arguments from its number for these; None where it is another number."""
+    factor = factors[0]
+    if kind in MULTIPLES:
+        found = [MULTIPLES[kind](factor, x) for x in value]
+        return None if None in found else found
+    if kind == "atan2":
+        return value if factor > 0 and is_one(factor / factors[1]) else None
+    return value if all(map(is_one, factors)) else None
