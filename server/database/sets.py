@@ -64,6 +64,10 @@ class Sets:
         """Store a draft anew over one of a revision."""
         await self._connections.write(lambda connection: _change(connection, new, revision))
 
+    async def remove(self, number: str, entry: Entry) -> None:
+        """Remove a draft."""
+        await self._connections.write(noting(lambda connection: _remove(connection, number), entry))
+
     async def task_set(self, number: str) -> TaskSet | None:
         """Give a set with its slots."""
         return await self._connections.read(lambda connection: task_set(connection, number))
@@ -193,6 +197,15 @@ def _change(connection: Connection, new: TaskSet, revision: int) -> None:
         raise NotADraft(new.id)
     connection.execute(delete(slots).where(slots.c.task_set == new.id))
     _add_slots(connection, new)
+
+
+def _remove(connection: Connection, number: str) -> None:
+    draft = task_sets.c.id == number, task_sets.c.state == DRAFT
+    if connection.execute(select(task_sets.c.id).where(*draft).with_for_update()).first() is None:
+        raise NotADraft(number)
+    for table in (slots, accommodations):
+        connection.execute(delete(table).where(table.c.task_set == number))
+    connection.execute(delete(task_sets).where(*draft))
 
 
 def _move(connection: Connection, moves: Sequence[tuple[TaskSet, TaskSet]], entries: Sequence[Entry]) -> None:

@@ -98,6 +98,12 @@ async def change_set(task_set: str, body: ChangedTaskSet, bench: Tools, reader: 
     return shown_set(await building.change(bench, old, course, draft, body.revision))
 
 
+@router.delete("/task-sets/{task_set}", status_code=204, responses=FROZEN)
+async def remove_set(task_set: str, bench: Tools, reader: Asking) -> None:
+    """Remove a draft. A published set stays."""
+    await building.remove(bench, await set_of(bench, reader, task_set), actor_of(reader))
+
+
 @router.post("/task-sets/{task_set}/open", responses=FROZEN | {202: {"model": ShownTaskSet}})
 async def open_set(
     task_set: str, response: Response, bench: Tools, reader: Asking,

@@ -172,6 +172,19 @@ async def copy(
     return new
 
 
+async def remove(bench: Bench, task_set: TaskSet, actor: str) -> None:
+    """Remove a draft.
+
+    Raises:
+        Refused: 409, it is published.
+    """
+    entry = Entry(actor, Action.SET_REMOVED, task_set.id, task_set.course, {"title": task_set.title})
+    try:
+        await bench.sets.remove(task_set.id, entry)
+    except NotADraft:
+        raise Refused(409, "set_frozen") from None
+
+
 async def extend(
     bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str, seen: str | None = None
 ) -> list[TaskSet]:

@@ -91,6 +91,14 @@ async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking
     return RedirectResponse(f"/jobs/{job.id}" if job and job.live else f"/sets/{new.id}", 303)
 
 
+@router.post("/sets/{task_set}/remove")
+async def remove_set(task_set: str, bench: Tools, reader: Asking) -> Response:
+    """Remove a draft and go to the sets of the course."""
+    found = await set_of(bench, reader, task_set)
+    await building.remove(bench, found, actor_of(reader))
+    return RedirectResponse(f"/courses/{found.course}/sets", 303)
+
+
 @router.post("/sets/{task_set}/students/{person}/time")
 async def give_time(task_set: str, person: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Give a student more time and go back to that student's work."""

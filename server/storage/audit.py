@@ -27,6 +27,7 @@ class Action(StrEnum):
     COURSE_COPIED = "course_copied"
     SET_PUBLISHED = "set_published"
     SET_COPIED = "set_copied"
+    SET_REMOVED = "set_removed"
     DEADLINES_MOVED = "deadlines_moved"
     TIME_GIVEN = "time_given"
     MARK_GIVEN = "mark_given"

@@ -157,6 +157,14 @@ class Sets(Protocol):
         """
         ...
 
+    async def remove(self, number: str, entry: Entry) -> None:
+        """Remove a draft.
+
+        Raises:
+            NotADraft: It is published, or there is none.
+        """
+        ...
+
     async def task_set(self, number: str) -> TaskSet | None:
         """Give a set with its slots."""
         ...

@@ -178,6 +178,25 @@ def test_what_the_builder_cannot_take_is_told_beside_all_that_was_typed(
     assert course.lecturer.post(path, data=repaired).status_code == 303
 
 
+def test_a_draft_is_deleted_and_a_published_set_stays(course: Course) -> None:
+    page, sets = started(course), f"/courses/{course.school.course}/sets"
+    saved(course.lecturer, page, add=EXERCISE, title="Draft to go")
+    number = page.rsplit("/", 1)[1]
+    given = f"/api/v1/task-sets/{number}/accommodations/{course.school.people['student']}"
+    assert course.lecturer.put(given, json={"minutes": 5}).status_code == 200
+    assert f'action="{page}/remove"' in course.lecturer.get(page).text
+    for who in (course.student, course.school.browser("assistant")):
+        assert who.post(f"{page}/remove").status_code == who.delete(f"/api/v1/task-sets/{number}").status_code == 403
+    assert course.lecturer.post(f"{page}/remove").headers["location"] == sets
+    assert course.lecturer.get(page).status_code == 404 and "Draft to go" not in course.lecturer.get(sets).text
+    assert "title: Draft to go" in course.lecturer.get(f"/courses/{course.school.course}/audit?lang=en").text
+    published = course.published()
+    assert f'action="/sets/{published}/remove"' not in course.lecturer.get(f"/sets/{published}").text
+    refused = course.lecturer.delete(f"/api/v1/task-sets/{published}")
+    assert (refused.status_code, refused.json()["error"]["code"]) == (409, "set_frozen")
+    assert course.lecturer.delete(f"/api/v1/task-sets/{course.built()}").status_code == 204
+
+
 def test_the_set_of_the_first_chance_is_chosen_by_its_title(course: Course) -> None:
     first, page = course.published(title="First chance <1>"), started(course)
     form = course.lecturer.get(page).text
@@ -211,6 +230,14 @@ def test_extra_time_is_given_on_the_page_of_a_student_and_taken_back(course: Cou
     assert assistant.post(f"{page}/time", data={"minutes": "5"}).status_code == 403
     form = f'action="{page}/time"'
     assert form in course.lecturer.get(page).text and form not in assistant.get(page).text
+
+
+def test_a_task_of_a_student_is_named_in_the_language_of_who_reads(course: Course) -> None:
+    number = course.published()
+    course.variant(number)
+    page, shown = f"/sets/{number}/students/{course.school.people['student']}", course.card(number).shown
+    for language in ("pl", "en", "ru"):
+        assert f"1. {shown[language]['title']}</h2>" in course.lecturer.get(f"{page}?lang={language}").text
 
 
 def test_the_preview_tells_which_givens_can_be_limited_and_how(course: Course) -> None:
