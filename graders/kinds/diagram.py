@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from graders.judge import Echo, Samples
+from graders.language import parse_line
 from graders.language.symbols import Symbols
 from graders.profile.drawn import Axes, Part, is_table, read_parts, read_table
 from graders.profile.echoes import echoed
@@ -18,6 +19,7 @@ from graders.remarks import Remarks
 from graders.units import read_unit
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
+READABLE = 6  # digits of a number read out of a table
 ROUNDING = 1e-12  # of the largest ordinate: what is smaller comes from adding up loads
 
 
@@ -107,11 +109,16 @@ class Diagram:
         return "\n".join(self._lines(profile_of(reference)))
 
     def _lines(self, profile: Sequence[Stretch]) -> list[str]:
-        place, factor, least = read_unit(self.x_unit).factor, read_unit(self.unit).factor, ROUNDING * highest(profile)
+        place = read_unit(self.x_unit).factor
+        formulas = self._formulas(profile, 10)
         return [
-            f"{one.start / place:.8g} .. {one.end / place:.8g}: {_typed(one, self.x, place, factor, least)}"
-            for one in profile
+            f"{one.start / place:.8g} .. {one.end / place:.8g}: {formula}"
+            for one, formula in zip(profile, formulas, strict=True)
         ]
+
+    def _formulas(self, profile: Sequence[Stretch], digits: int) -> list[str]:
+        place, factor, least = read_unit(self.x_unit).factor, read_unit(self.unit).factor, ROUNDING * highest(profile)
+        return [_typed(one, self.x, place, factor, least, digits) for one in profile]
 
     def samples(self, reference: Rows) -> Samples:
         """Give texts that must be judged right, wrong and unreadable."""
@@ -124,11 +131,9 @@ class Diagram:
 
     def echo(self, answer: Drawn, comma: bool = False) -> Echo:
         """Say which pieces were read."""
-        if answer.table:
-            return Echo("", "; ".join(self._lines(answer.table)), self.unit)
-        place = read_unit(self.x_unit).factor
-        heads = [_head(part, place) for part in answer.parts]
-        return echoed(heads, [part.tree for part in answer.parts], comma, self.unit)
+        place, stretches = read_unit(self.x_unit).factor, answer.table or answer.parts
+        trees = [part.tree for part in answer.parts] or list(map(parse_line, self._formulas(answer.table, READABLE)))
+        return echoed([_head(one, place) for one in stretches], trees, comma, self.unit)
 
     def rows(self, answer: Drawn, span: float | None) -> list[list[float | None]] | None:
         """Give the curve as rows of the table at the field, in its units.
@@ -180,7 +185,7 @@ class Diagram:
         return {"unit": self.unit, "x_unit": self.x_unit, "quantity": self.quantity, "largest": self.rtol}
 
 
-def _head(part: Part, place: float) -> str:
+def _head(part: Part | Stretch, place: float) -> str:
     if part.start is None or part.end is None:
         return ""
     return f"{part.start / place:.6g} .. {part.end / place:.6g}"
@@ -194,13 +199,13 @@ def _scaled(profile: Profile, factor: float) -> Profile:
     return tuple(one.scaled(factor) for one in profile)
 
 
-def _typed(one: Stretch, x: str, place: float, factor: float, least: float) -> str:
+def _typed(one: Stretch, x: str, place: float, factor: float, least: float, digits: int) -> str:
     """Write a stretch by powers of the distance from its start, without what is never greater than the least."""
     start = one.start / place
     distance = f"({x} - {start:.8g})" if start > 0 else f"({x} + {-start:.8g})" if start < 0 else x
     seen = [(c, power) for power, c in enumerate(one.curve) if abs(c) * (one.end - one.start) ** power > least]
     kept = [(c * place**power / factor, power) for c, power in seen] or [(0.0, 0)]
-    text = " + ".join(f"{c:.10g}" + _power(distance, power) for c, power in kept)
+    text = " + ".join(f"{c:.{digits}g}" + _power(distance, power) for c, power in kept)
     return text.replace("+ -", "- ")
 
 

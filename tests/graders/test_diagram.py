@@ -207,7 +207,10 @@ def test_a_diagram_is_echoed_piece_by_piece_and_described() -> None:
     assert echo.text.startswith("0 .. 1.5: 7.5*x - x^2; 1.5 .. 3: ")
     assert echo.mathml.count("<mtr>") == 2 and "0 … 1,5" in echo.mathml and echo.unit == "kN*m"
     assert MOMENT.echo(MOMENT.parse("7*x", NOTHING)).mathml == "<math>" + echo_inner("7*x") + "</math>"
-    assert MOMENT.echo(MOMENT.parse("0; 0; 7\n2; 1; 0", NOTHING)).text == "0 .. 2: 7 - 3*x"
+    table = MOMENT.echo(MOMENT.parse("0; 0; 7\n1,5; 2", NOTHING), comma=True)
+    assert table.text == "0 .. 1.5: 7 - 3.33333*x"
+    assert table.mathml == MOMENT.echo(MOMENT.parse("0 .. 1.5: 7 - 3.33333*x", NOTHING), comma=True).mathml
+    assert "3,33333" in table.mathml and "0 … 1,5" in table.mathml
     assert json.loads(json.dumps(MOMENT.describe())) == MOMENT.describe()
     assert tolerance(MOMENT.describe(), "pl") == "±1 % największej wartości"
 
