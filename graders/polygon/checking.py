@@ -74,6 +74,7 @@ def judge(drawn: Drawn, mechanism: Mechanism) -> Judged:
     """Check vectors, closures and projections of a polygon; what was found is kept for the judges beside it."""
     named = name(drawn, states_of(mechanism))
     named.flaws = [*links(drawn, mechanism), *named.flaws]
+    named.place(mechanism.places)
     judged = Judged(drawn, mechanism, named, walk(drawn, mechanism), free_rows(named, drawn.names, mechanism.derived))
     for equation in drawn.equations:
         judged.satisfied[equation] = _satisfied(judged, equation)

@@ -34,6 +34,7 @@ class Mechanism:
         acceleration: The projections differentiated twice.
         states: Gives true states, at least sixteen, none near a dead position.
         derived: Names of the task that follow from others, with their formulas, in the order of solving.
+        places: Coordinates of nodes that the task names: the name, the node, 0 for x and 1 for y.
         own: The student's polygon, beside which derivatives are judged; None for the one above.
     """
 
@@ -44,6 +45,7 @@ class Mechanism:
     velocity: str = ""
     acceleration: str = ""
     derived: tuple[tuple[str, str], ...] = ()
+    places: tuple[tuple[str, str, int], ...] = ()
     own: Drawn | None = None
 
     @property

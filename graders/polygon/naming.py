@@ -36,6 +36,12 @@ class Named:
         for row, trio in zip(self.rows, trios, strict=True):
             row[name] = trio
 
+    def place(self, places: Sequence[tuple[str, str, int]]) -> None:
+        """Give coordinates that the task names their meaning, where the polygon has not given it."""
+        for name, node, axis in places:
+            if name not in self.rows[0]:
+                self.define(name, [state.nodes[node][axis] for state in self.states])
+
     def value(self, tree: Tree) -> Trios | None:
         """Compute a formula at all states; None where a name has no meaning or the formula no value."""
         try:

@@ -77,6 +77,7 @@ class _Meaning:
     named: Named
     said: Mapping[str, str]
     unknowns: tuple[str, ...]
+    places: tuple[str, ...]
     ties: dict[str, tuple[str, int]] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -104,7 +105,8 @@ class _Meaning:
         what, order = FAMILIES.get(letter, ("", 0))
         fitting = [own for own in self.unknowns if self.named.owners[own][1] == what]
         same = [own for own in fitting if index and index in _below(own)]
-        chosen = same if len(same) == 1 else fitting
+        placed = [own for own in self.places if what == "length" and index and index in _below(own)]
+        chosen = next((one for one in (same, placed) if len(one) == 1), fitting)
         return (chosen[0], order) if len(chosen) == 1 else None
 
 
@@ -153,8 +155,12 @@ def verdict(answer: Differentiated, mechanism: Mechanism, order: int) -> Verdict
     """Judge velocity (order 1) or acceleration equations (order 2)."""
     given = tuple(mechanism.states()[0].names)
     drawn = mechanism.own or _model(mechanism.polygon, mechanism.nodes, given)
-    judged = judge(drawn, mechanism.alone())
-    check = _Check(judged, _Meaning(judged.named, dict(answer.said), judged.named.unknowns(drawn)), order)
+    judged, places = judge(drawn, mechanism.alone()), tuple(name for name, _, _ in mechanism.places)
+    check = _Check(
+        judged,
+        _Meaning(judged.named, dict(answer.said), judged.named.unknowns(drawn), places),
+        order,
+    )
     outcomes = [check.equation(equation) for equation in answer.equations]
     flaws = [*check.flaws, *_missing(answer, judged)]
     right = sum(outcome is not False for outcome in outcomes)
@@ -218,6 +224,8 @@ class _Check:
         return False
 
     def _free(self, tree: Tree, known: Mapping[str, tuple[str, int]]) -> tuple[float, ...] | None:
+        if any(own not in self.rows[0] for own, _ in known.values()):
+            return None  # a coordinate that the polygon does not have: nothing to be freely chosen
         return values(
             tree, [{name: (row[own][order], 0.0, 0.0) for name, (own, order) in known.items()} for row in self.rows]
         )
@@ -241,8 +249,13 @@ class _Check:
         return []
 
     def determined(self, equations: Sequence[Equation]) -> bool:
-        """Tell whether the equations determine the rates of all unknowns."""
-        wanted = {(unknown, self.order) for unknown in self.meaning.unknowns}
+        """Tell whether the equations determine the rates of all unknowns, or of the coordinates the task names."""
+        if self._determined(equations, self.meaning.unknowns):
+            return True
+        return bool(self.meaning.places) and self._determined(equations, self.meaning.places)
+
+    def _determined(self, equations: Sequence[Equation], sought: Sequence[str]) -> bool:
+        wanted = {(name, self.order) for name in sought}
         reached = 0
         for at in range(4):
             reached = max(reached, rank(self._slopes(e, at, wanted) for e in equations))

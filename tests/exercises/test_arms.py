@@ -49,6 +49,37 @@ def test_a_defect_of_a_polygon_is_named(old: str, new: str, code: Code) -> None:
     assert (found.outcome, found.code) == (Outcome.PARTLY, code)
 
 
+def closed_by_one_vector(arm: str, seed: int) -> dict[str, str]:
+    """The reference of an arm, its polygon closed by one vector of unknown length and angle."""
+    typed = reference(variants.deal(arm, seed))
+    lines = [line for line in typed["polygon"].split("\n") if not line.startswith(("r_", "closure", "unknowns"))]
+    lines = [line.replace("- x_D = 0", "= r*cos(phi)").replace("- y_D = 0", "= r*sin(phi)") for line in lines]
+    more = ["r: A > D, length r, angle phi", "closure: l1 + l2 + l3 = r", "unknowns: r; phi"]
+    return typed | {"polygon": "\n".join([*lines[:3], *more[:2], *lines[3:], more[2]])}
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_the_velocity_of_the_gripper_is_its_own_beside_a_polygon_closed_by_one_vector(arm: str) -> None:
+    typed = closed_by_one_vector(arm, 3)
+    found = judged(arm, 3, **typed)
+    assert {found[name].code for name in ("polygon", "velocities", "accelerations")} == {Code.RIGHT}
+    wrong = typed | {"velocities": typed["velocities"].replace("- v_x", "+ v_x")}
+    assert judged(arm, 3, **wrong)["velocities"].outcome is Outcome.PARTLY
+
+
+def test_the_rates_of_the_closing_vector_are_right_too() -> None:
+    typed = closed_by_one_vector("tmm2_oop", 3)
+    x, y = (line.partition(" - v_")[0] for line in typed["velocities"].split("\n"))
+    own = f"{x} = r_d*cos(phi) - r*phi_d*sin(phi)\n{y} = r_d*sin(phi) + r*phi_d*cos(phi)"
+    assert judged("tmm2_oop", 3, **typed | {"velocities": own})["velocities"].code is Code.RIGHT
+
+
+def test_projections_on_coordinates_that_the_polygon_lacks_are_true_but_do_not_determine_it() -> None:
+    typed = closed_by_one_vector("tmm2_oop", 3)
+    mixed = typed["polygon"].replace("r*cos(phi)", "x_D").replace("r*sin(phi)", "y_D")
+    assert judged("tmm2_oop", 3, polygon=mixed)["polygon"].code is Code.NOT_DETERMINED
+
+
 @pytest.mark.parametrize("arm", ARMS)
 @pytest.mark.parametrize(("speeds", "pushes"), [("v_{}", "a_{}"), ("v_D{}", "a_D{}"), ("{}_D_d", "{}_D_dd")])
 def test_rates_of_the_gripper_have_many_names(arm: str, speeds: str, pushes: str) -> None:

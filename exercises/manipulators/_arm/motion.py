@@ -95,6 +95,7 @@ def mechanism(arm: Arm, sides: Sides, steps: Steps, states: States) -> Mechanism
         _states(arm, sides, states.names, states.points[:KEPT]),
         velocity="\n".join(f"{axis}: {speed(sides, axis)} - v_{axis} = 0" for axis in "xy"),
         acceleration="\n".join(f"{axis}: {acceleration(sides, axis)} - a_{axis} = 0" for axis in "xy"),
+        places=(("x_D", "D", 0), ("y_D", "D", 1)),
         derived=tuple((name, line) for name, line in directions.items() if isinstance(line, str)),
     )
 

@@ -6,7 +6,7 @@ import type { Moment, Motion } from "./motion.ts";
 import type { Values } from "./tree.ts";
 import { decimals, type Numbers } from "./words.ts";
 
-const [WIDTH, HEIGHT, EDGE] = [640, 280, 36];
+const [WIDTH, HEIGHT, EDGE] = [640, 400, 36];
 
 export class Stage {
   private readonly machine: Machine;
