@@ -122,6 +122,8 @@ def test_samples_come_back_and_the_largest_difference_is_told(page: Page, site: 
     page.fill("#lab-csv", "x\n1")
     page.click("[data-lab='compare']")
     assert part(page, "differences").startswith("Line 1 was not read.")
+    fill(page, "polygon", "l1: A > , co")
+    expect(page.locator("[data-lab='note']")).to_have_text("The polygon has not been read yet; section 7 says why.")
 
 
 def test_without_script_five_positions_stand_in_the_place_of_the_stage(browser: Browser, site: Live) -> None:

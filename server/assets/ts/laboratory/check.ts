@@ -13,7 +13,7 @@ export interface Broken {
 }
 
 export type Finding =
-  | { kind: "nothing" | "unsolved" | "agrees" | "held" }
+  | { kind: "nothing" | "unread" | "unsolved" | "agrees" | "held" }
   | { kind: "broken"; links: Broken[] }
   | { kind: "astray"; distance: number };
 

@@ -23,6 +23,7 @@ export class Panel {
   private readonly plots: Plot[];
   private readonly clock: Clock;
   private readonly given: Values;
+  private refused = false; // what stands in the field of the polygon could not be read
   private readonly held: boolean; // an examination: no ghost, no check, no distance
   private values: Values;
   private own: Own = NOTHING;
@@ -62,7 +63,12 @@ export class Panel {
     this.part("forth").addEventListener("click", () => this.clock.step(1));
     for (const one of document.querySelectorAll('[name="lab-axis"]')) one.addEventListener("change", () => this.changed());
     for (const plot of this.plots) plot.follow((t) => this.clock.playing || this.clock.go(t));
-    follow(form, "polygon", (wire) => this.learn({ polygon: readPolygon(wire) }));
+    const field = form.querySelector<HTMLTextAreaElement>('[name="answer.polygon"]');
+    follow(form, "polygon", (wire) => {
+      const polygon = readPolygon(wire);
+      this.refused = polygon === null && (field?.value.trim() ?? "") !== "";
+      this.learn({ polygon });
+    });
     follow(form, "velocities", (wire) => this.learn({ velocities: readRates(wire) }));
     follow(form, "accelerations", (wire) => this.learn({ accelerations: readRates(wire) }));
     for (const name of this.machine.plotted.flatMap(({ rate, surge }) => [rate, surge])) {
@@ -139,7 +145,8 @@ export class Panel {
     const values = valuesAt(this.machine, this.values, t);
     this.stage.draw(moment, values);
     const typed = this.own.polygon !== null;
-    this.note(this.held && typed ? { kind: "held" } : finding(this.machine, moment, values, typed));
+    const found = finding(this.machine, moment, values, typed);
+    this.note(this.held && typed ? { kind: "held" } : found.kind === "nothing" && this.refused ? { kind: "unread" } : found);
     const places = decimals(reach(this.machine, this.values), 4);
     this.machine.plotted.forEach(({ axis }, at) => {
       this.part(`own-${at}`).textContent = this.numbers.shown(valueOf(moment, "position", axis), places, "m");
