@@ -14,6 +14,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
 import argparse  # noqa: E402
+import gc  # noqa: E402
 import time  # noqa: E402
 import tracemalloc  # noqa: E402
 from collections.abc import Callable, Iterator, Sequence  # noqa: E402
@@ -24,7 +25,8 @@ from exercises import catalogue, variants  # noqa: E402
 from exercises.exercise import Submission  # noqa: E402
 from exercises.grading import grade  # noqa: E402
 from exercises.solving import Solved  # noqa: E402
-from tests.graders.fuzzing.attack import Found, Target, one, targets  # noqa: E402
+from tests.graders.fuzzing.attack import Found, Target, forget, one, targets  # noqa: E402
+from tests.graders.fuzzing.families import families  # noqa: E402
 
 PROMISED, MOST_MEMORY, SHOWN = 50.0, 20.0, 12  # milliseconds, megabytes, lines
 WORTH = 10.0  # milliseconds from which a case is measured well
@@ -154,6 +156,7 @@ class Case:
 
     def once(self) -> float:
         """Give the milliseconds of processor time that it takes."""
+        forget()
         start = time.process_time()
         self.act()
         return 1e3 * (time.process_time() - start)
@@ -169,14 +172,25 @@ class Case:
 
 
 def cases(exercises: Sequence[str]) -> Iterator[Case]:
-    """Give all texts for all judges: of the exercises as submissions, of the kinds without an exercise alone."""
-    for target in targets(exercises[:1], (1,))[: -len(answers(exercises[0]))]:
-        yield from (Case(target.grader.kind, text, partial(alone, target, text)) for text in texts(target))
+    """Give all texts for all judges: of the exercises as submissions, of the kinds without an exercise alone.
+
+    Repeated things are handed to the first judge of each kind.
+    """
+    met = set[str]()
     for exercise in exercises:
         variant = variants.deal(exercise, 1)
         for name, target in answers(exercise).items():
-            for text in texts(target):
+            for text in every_text(target, met):
                 yield Case(target.grader.kind, text, partial(grade, Submission(variant, {name: text})))
+    for target in targets(exercises[:1], (1,))[: -len(answers(exercises[0]))]:
+        yield from (Case(target.grader.kind, text, partial(alone, target, text)) for text in every_text(target, met))
+
+
+def every_text(target: Target, met: set[str]) -> list[str]:
+    """Give the texts meant for a kind, and where it is met for the first time what is repeated."""
+    repeated = [] if target.grader.kind in met else list(families())
+    met.add(target.grader.kind)
+    return [*texts(target), *repeated]
 
 
 def answers(exercise: str) -> dict[str, Target]:
@@ -204,6 +218,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("exercises", nargs="*", metavar="ID")
     exercises = parser.parse_args().exercises or catalogue.ids()
+    gc.freeze()  # what the modules hold stays
     before, found = squares(), list[tuple[float, float, str, str]]()
     for case in cases(exercises):
         if case.once() > WORTH:

@@ -127,7 +127,7 @@ def one(target: Target, text: str, found: Found) -> None:
     found.inputs += 1
     start, crashes = time.process_time(), len(found.crashes)
     try:
-        _through(target, text, found)
+        hand_in(target, text, found)
     except Exception:  # whatever it is, it is what is looked for
         found.crashes.append(f"{target.grader.kind} {text!r}: {traceback.format_exc(limit=-4)}")
     cost = time.process_time() - start
@@ -143,7 +143,7 @@ def again(target: Target, text: str) -> float:
     for _ in range(3):
         forget()
         start = time.process_time()
-        _through(target, text, Found())
+        hand_in(target, text, Found())
         best = min(best, time.process_time() - start)
     return best
 
@@ -156,7 +156,8 @@ def forget() -> None:
                 thing.cache_clear()
 
 
-def _through(target: Target, text: str, found: Found) -> None:
+def hand_in(target: Target, text: str, found: Found) -> None:
+    """Hand a text to the readers and the judge; an exception is a crash."""
     if found.inputs % SAMPLED == 0:
         found.tokenized += 1
         found.tokens += readable(tokenize, text)

@@ -1,0 +1,68 @@
+"""What a long text of one repeated thing costs, counted in calls: as its length, and never as the square of it."""
+
+from __future__ import annotations
+
+from functools import lru_cache, partial
+
+import pytest
+
+from graders.language import AnswerSyntaxError, Reason, parse
+from graders.language.symbols import Symbols, key
+from graders.polygon.reading import read_polygon
+from graders.units import read_unit
+from tests.depth import amount
+from tests.graders.effort import calls
+from tests.graders.fuzzing.attack import Found, Target, forget, hand_in, targets
+from tests.graders.fuzzing.families import families
+
+KNOWN = ("slider_crank", "rrr_matrices", "gear_train", "simple_beam", "stepped_shaft", "slider_crank_polygon")
+MOST_CALLS = 200_000  # of a text of 2,000 to 4,000 characters at a judge
+EVERY = list(families())
+DECLARED = Symbols(["a", "l1", "x", "omega1", "F"])
+
+
+@lru_cache(maxsize=1)
+def each_kind() -> tuple[Target, ...]:
+    return tuple({target.grader.kind: target for target in targets(KNOWN, (1,))}.values())
+
+
+@pytest.mark.parametrize("at", range(len(EVERY)))
+def test_a_repeated_thing_costs_a_bounded_number_of_calls(at: int) -> None:
+    kinds = each_kind()
+    for target in amount((kinds[at % len(kinds)],), kinds):
+        forget()
+        assert calls(partial(hand_in, target, EVERY[at], Found())) < MOST_CALLS, target.grader.kind
+
+
+@pytest.mark.parametrize("thing", ["sin", "ac", "q", "x_1", "l1", "ẋ", "l1ω1", "alpha1"])
+def test_no_run_of_letters_is_searched_letter_by_letter(thing: str) -> None:
+    def refuse() -> None:
+        with pytest.raises(AnswerSyntaxError):
+            parse(thing * (1900 // len(thing)), DECLARED)
+
+    forget()
+    assert calls(refuse) < 2_000
+
+
+@pytest.mark.parametrize("mark", ["<", "=", " <= ", ">"])
+def test_a_chain_of_relations_ends_early(mark: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        parse(f"x{mark}" * 300, DECLARED)
+    assert refused.value.reason is Reason.TOO_LONG
+    assert refused.value.position < 30 * len(f"x{mark}")
+
+
+def test_a_long_word_is_no_node() -> None:
+    forget()
+    with pytest.raises(AnswerSyntaxError):
+        read_polygon("l1: " + "AB" * 900 + " = l2", DECLARED, ("A", "B", "C"))
+    assert key.cache_info().currsize < 100
+
+
+def test_a_unit_is_looked_for_among_those_that_may_be_near() -> None:
+    def refuse() -> None:
+        with pytest.raises(AnswerSyntaxError):
+            read_unit("Mpasq/qq")
+
+    forget()
+    assert calls(refuse) < 2_000
