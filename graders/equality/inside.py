@@ -10,6 +10,11 @@ from graders.language.intervals import MARGIN, Interval
 from graders.language.program import Program
 
 KEEPING = frozenset(("sqrt", "negate", "degrees", "abs", "sinh", "tanh", "atan", "asin", "*", "/"))  # sign or zero
+RISING = {  # and between which values of the argument they do
+    **dict.fromkeys(("degrees", "sinh", "tanh", "atan", "exp"), (-math.inf, math.inf)),
+    **dict.fromkeys(("sqrt", "ln", "log"), (0.0, math.inf)),
+    "asin": (-1.0, 1.0),
+}
 POSITIVE = frozenset(("exp", "cosh"))
 
 
@@ -56,10 +61,23 @@ class Signs:
         if slot < len(self.box):
             return slot >= 0 and not self.box[slot].integer
         name, arguments = self.program.operations[slot - len(self.box)]
-        if name not in ("+", "-", "negate"):
-            return False
-        last = end if name == "+" else 1 - end
-        return self.unreached(arguments[-1], last) or (name != "negate" and self.unreached(arguments[0], end))
+        if name in ("+", "-", "negate"):
+            last = end if name == "+" else 1 - end
+            return self.unreached(arguments[-1], last) or (name != "negate" and self.unreached(arguments[0], end))
+        if name in RISING:
+            low, high = self.slots[arguments[0]]
+            least, most = RISING[name]
+            return least <= low and high <= most and self.unreached(arguments[0], end)
+        return name[:5] == "power" and self._of_power(int(name[5:]), arguments[0], end)
+
+    def _of_power(self, power: int, base: int, end: int) -> bool:
+        """Tell whether an end of a power is taken at the border alone: the greatest of an even one is at either end."""
+        low, high = self.slots[base]
+        if power % 2 or low >= 0:
+            return power > 0 and self.unreached(base, end)
+        if high <= 0:
+            return power > 0 and self.unreached(base, 1 - end)
+        return power > 0 and end == 1 and self.unreached(base, 0) and self.unreached(base, 1)
 
     def _keeps(self, name: str, arguments: Sequence[int]) -> bool:
         """Tell whether a function has one sign because its arguments have."""

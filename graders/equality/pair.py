@@ -23,6 +23,7 @@ from graders.states import INSIDE, Point
 CASES = 3  # points that settle one case of what turns
 FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
+GLANCE = 9  # points at which doubles look for a difference before cases are gone through
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
 NEW = 8  # points with signs that were not met before, asked before anything more is searched
 FIRST = (0, INSIDE, INSIDE + 1, 1)  # points that are asked first: inside, two corners, inside
@@ -85,8 +86,8 @@ class Pair:
     """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
 
     __slots__ = (
-        "_early", "_once", "_rows", "_turned", "balls", "builder", "lines", "most_turns", "mutual", "points", "program",
-        "searched", "smooth", "states", "turning",
+        "_doubles", "_early", "_once", "_rows", "_turned", "balls", "builder", "lines", "most_turns", "mutual",
+        "points", "program", "searched", "smooth", "states", "turning",
     )  # fmt: skip
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool, most_turns: int = MOST_TURNS) -> None:
@@ -103,6 +104,7 @@ class Pair:
         self._early: Comparison | None = None
         self._turned: Turned | None = None
         self._rows: list[Row] | None = None
+        self._doubles: Runner | None = None
         self.searched, self.most_turns = True, most_turns
 
     @property
@@ -141,8 +143,15 @@ class Pair:
     def rows(self) -> list[Row]:
         """Give what doubles see at all points."""
         if self._rows is None:
-            self._rows = looks(Runner(self.turned.program, DOUBLES), self.points) if self.turns else []
+            self._rows = looks(self.doubles, self.points) if self.turns else []
         return self._rows
+
+    @property
+    def doubles(self) -> Runner:
+        """Give the pair and what turns in it ready to run in doubles."""
+        if self._doubles is None:
+            self._doubles = Runner(self.turned.program, DOUBLES)
+        return self._doubles
 
     @property
     def turns(self) -> list[Turn]:
@@ -160,7 +169,7 @@ class Pair:
             self._once = True
             self._early = self._first(self.points[:1])
             if self._early is None and (self.turns or self.turned.steep):
-                self._early = self._in_every_case()
+                self._early = self._first(self._seen_apart()) or self._in_every_case()
         return self._early
 
     def compared(self) -> Comparison:
@@ -181,6 +190,12 @@ class Pair:
             places += stage
         places.sort(key=lambda place: not place.asked)
         return self._settled(places)
+
+    def _seen_apart(self) -> list[Point]:
+        """Give one of a few points at which doubles see a difference, if there is one."""
+        points = self.points[1:GLANCE]
+        rows = zip(looks(self.doubles, points), points, strict=True)
+        return next(([point] for row, point in rows if all(map(math.isfinite, row[:2])) and _far(row) > SEEN), [])
 
     def _in_every_case(self) -> Comparison | None:
         """Give equality that does not hang on what turns or is steep."""
@@ -236,7 +251,7 @@ class Pair:
         First those that were drawn, then those on both sides of everything that turns, those where signs go together,
         and those around touched zeros, each of which is asked about.
         """
-        turned, doubles = self.turned, Runner(self.turned.program, DOUBLES)
+        turned, doubles = self.turned, self.doubles
         yield self._places(zip(self.rows, self.points, strict=True), None)
         if not self.states.box:
             return

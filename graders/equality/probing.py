@@ -9,7 +9,7 @@ from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from graders.equality.inside import one_signed
-from graders.equality.sides import Found, Part, ends, whole
+from graders.equality.sides import Box, Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
@@ -148,29 +148,26 @@ class Search:
 
     def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
         alone = self.program.only(*slots)
-        guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
-        enough = any if self.mutual else all
-
-        def state(point: Point) -> bool:
-            return not guarded or enough(map(math.isfinite, look(guard, point)))
-
-        doubles, intervals = Runner(alone, DOUBLES), Runner(alone, INTERVALS)
+        doubles, intervals = Runner(alone, DOUBLES), list[Runner]()
 
         def value(point: Point) -> float:
             values = look(doubles, point)
             return values[0] if way is itself else way([(one, one) for one in values])[0]
 
-        return Part(
-            value,
-            state,
-            lambda box: way(intervals.run(box)),
-            self.box,
-            ends(self.box),
-            alone.moving,
-            1 + len(alone.operations),
-            WORK if deep else LESS_WORK,
-            deep,
-        )
+        def bounds(box: Box) -> Interval:
+            if not intervals:  # most zeros are found without
+                intervals.append(Runner(alone, INTERVALS))
+            return way(intervals[0].run(box))
+
+        state = self._state() if guarded else every
+        size, work = 1 + len(alone.operations), WORK if deep else LESS_WORK
+        return Part(value, state, bounds, self.box, ends(self.box), alone.moving, size, work, deep)
+
+    def _state(self) -> Callable[[Point], bool]:
+        """Make a test that tells in doubles whether a point is a state."""
+        guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
+        enough = any if self.mutual else all
+        return lambda point: enough(map(math.isfinite, look(guard, point)))
 
 
 def all_met(turns: Sequence[Turn], groups: Sequence[Joint], rows: Sequence[Row], mutual: bool) -> bool:
@@ -231,6 +228,11 @@ def _unseen(columns: Sequence[Sequence[float]]) -> list[tuple[bool, ...]]:
         way for way in ways
         if way not in seen and all((way[one] == way[other]) is same for one, other, same in tied)
     ]  # fmt: skip
+
+
+def every(_: Point) -> bool:
+    """Take any point for a state."""
+    return True
 
 
 def itself(values: Sequence[Interval]) -> Interval:

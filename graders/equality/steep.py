@@ -26,7 +26,8 @@ def steep(program: Program, slots: Sequence[Interval]) -> frozenset[int]:
     """Give the slots of exponentials and high powers that range widely, as far as the ranges of all slots tell."""
     return frozenset(
         slot for slot, (name, arguments) in enumerate(program.operations, len(program.inputs))
-        if may_be_steep(name) and not (slots and _gentle(name, slots[arguments[0]], slots[slot]))
+        if may_be_steep(name)
+        and not (slots and (_gentle(name, slots[arguments[0]], slots[slot]) or _low(name, slots[arguments[-1]])))
     )  # fmt: skip
 
 
@@ -42,6 +43,11 @@ def _gentle(name: str, exponent: Interval, values: Interval) -> bool:
         return exponent[1] - exponent[0] < WIDE
     least, greatest = sorted(map(abs, values))
     return values[0] * values[1] > 0 and greatest < math.exp(WIDE) * least
+
+
+def _low(name: str, exponent: Interval) -> bool:
+    """Tell a power whose exponent is one low number, which is no steeper than a low whole power."""
+    return name == "^" and exponent[0] == exponent[1] and abs(exponent[0]) < HIGH
 
 
 def summits(

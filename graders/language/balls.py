@@ -51,7 +51,9 @@ def _sign(x: arb) -> arb:
         return arb(1)
     if x < 0:
         return arb(-1)
-    return arb(0) if x.is_zero() else arb(0, 1)
+    if x.is_zero():
+        return arb(0)
+    return arb(0, 1) if x.is_finite() else UNSURE
 
 
 def _macaulay(inside: arb, order: arb) -> arb:
@@ -61,7 +63,7 @@ def _macaulay(inside: arb, order: arb) -> arb:
     if inside < 0:
         return arb(0)
     if order.is_zero():
-        return arb(1) if inside >= 0 else arb(0.5, 0.5)
+        return arb(1) if inside >= 0 else arb(0.5, 0.5) if inside.is_finite() else UNSURE
     if inside > 0:
         return inside**order
     return arb(0) if inside.is_zero() else _clamped(inside) ** order
@@ -100,6 +102,8 @@ def _logarithm(x: arb) -> arb:
 
 
 def _power(base: arb, exponent: arb) -> arb:
+    if not (base.is_finite() and exponent.is_finite()):
+        return UNSURE
     if base > 0 or exponent.is_integer():
         if exponent < 0 and base.is_zero():
             raise UndefinedError("a division by zero")
@@ -111,6 +115,8 @@ def _whole_power(base: arb, power: int) -> arb:
     """Raise to a whole power from 0; one of a ball around zero is a product, for `**` is not sure of it."""
     if not base.contains(0):
         return base**power
+    if not base.is_finite():
+        return UNSURE
     found = arb(1)
     for digit in f"{power:b}":
         found = found * found * base if digit == "1" else found * found
@@ -139,7 +145,8 @@ def _around_zero(radicand: arb, degree: arb) -> arb:
 def _arc(y: arb, x: arb) -> arb:
     if y.is_zero() and x.is_zero():
         raise UndefinedError("no direction")
-    return UNSURE if x.contains(0) and y.contains(0) else arb.atan2(y, x)
+    sure = x.is_finite() and y.is_finite() and not (x.contains(0) and y.contains(0))
+    return arb.atan2(y, x) if sure else UNSURE
 
 
 def _tenths(x: arb) -> arb:

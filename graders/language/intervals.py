@@ -39,8 +39,6 @@ def _hull(*values: float) -> Interval:
 
 
 def _multiply(a: Interval, b: Interval) -> Interval:
-    if a is b:  # one slot, not two that happen to be equal
-        return _power(a, 2)
     return _hull(a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1])
 
 
@@ -156,6 +154,7 @@ INTERVALS = Arithmetic(
         "+": lambda a, b: (a[0] + b[0], a[1] + b[1]), "-": lambda a, b: (a[0] - b[1], a[1] - b[0]),
         "*": _multiply, "/": _divide, "^": _general_power, "negate": lambda x: (-x[1], -x[0]),
         "degrees": lambda x: (x[0] * DEGREE, x[1] * DEGREE), "pi": lambda: (math.pi, math.pi), "integer_power": _power,
+        "square": lambda x, _: _power(x, 2),
         "sin": _sine, "cos": _cosine, "tan": _tangent, "cot": lambda x: _divide((1.0, 1.0), _tangent(x)),
         "asin": _rising(math.asin, -1.0, 1.0), "atan": _rising(math.atan),
         "acos": lambda x: _negated(_rising(math.asin, -1.0, 1.0)(x), math.pi / 2),

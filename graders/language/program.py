@@ -49,7 +49,10 @@ class Program:
 
 @dataclass(frozen=True, slots=True)
 class Arithmetic:
-    """How one kind of number reads literals and applies the functions of the language."""
+    """How one kind of number reads literals and applies the functions of the language.
+
+    Where a product of a value by itself is more than that of two equal ones, `square` gives it.
+    """
 
     literal: Callable[[Number], Any]
     functions: Mapping[str, Callable[..., Any]]
@@ -175,6 +178,8 @@ class Runner:
         for slot, (name, arguments) in enumerate(program.operations, len(program.inputs)):
             function, count = known.get(name) or arithmetic.function(name), len(arguments)
             first, second = arguments if count == 2 else (arguments[0], 0) if count == 1 else (arguments, 0)
+            if first == second and name == "*":
+                function = known.get("square", function)
             self.code.append((function, slot, count, first, second))
         self.tail = [None] * len(self.code) + [arithmetic.literal(number) for number in reversed(program.literals)]
 

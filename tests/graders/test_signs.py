@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 
 import pytest
 from flint import arb
@@ -16,8 +17,8 @@ from graders.equality.probing import look
 from graders.equality.sides import whole
 from graders.equality.signs import Signed, implied, screened
 from graders.language import parse_line
-from graders.language.balls import precision
-from graders.language.doubles import DOUBLES
+from graders.language.balls import BALLS, precision
+from graders.language.doubles import DOUBLES, UndefinedError
 from graders.language.intervals import INTERVALS
 from graders.language.program import Builder, Program, Runner
 
@@ -81,7 +82,22 @@ def test_what_vanishes_at_an_end_alone_has_one_sign(text: str) -> None:
     assert has_one_sign(text)
 
 
-@pytest.mark.parametrize("text", ["n", "z", "x + y", "x - x^2 - 1/4", "z^2", "abs(z)", "sin(z)^2", "1 - cos(z)", "0*x"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "n",
+        "z",
+        "x + y",
+        "x - x^2 - 1/4",
+        "z^2",
+        "abs(z)",
+        "sin(z)^2",
+        "1 - cos(z)",
+        "0*x",
+        "1 - sqrt(abs(z))",
+        "sqrt(z)",
+    ],
+)
 def test_what_may_vanish_inside_has_none(text: str) -> None:
     assert not has_one_sign(text)
 
@@ -90,7 +106,7 @@ terms = st.recursive(
     st.sampled_from(("x", "y", "z", "n", "1", "0.5")),
     lambda inner: st.one_of(
         st.builds("({} {} {})".format, inner, st.sampled_from("+-*/"), inner),
-        st.builds("{}({})".format, st.sampled_from(("sqrt", "abs", "exp", "sinh", "atan", "-")), inner),
+        st.builds("{}({})".format, st.sampled_from(("sqrt", "abs", "exp", "ln", "asin", "atan", "1 - ", "-")), inner),
         st.builds("({})^{}".format, inner, st.sampled_from("23")),
     ),
     max_leaves=6,
@@ -125,6 +141,16 @@ def test_points_that_were_met_are_enough_only_where_each_sign_changes_alone(a: s
     assert between(parse_line(b), parse_line(a), BOX, b"met").finding is finding
 
 
-def test_what_is_not_sure_to_have_a_value_is_not_called_undefined() -> None:
-    a, b = parse_line("ln(acos(x/x))"), parse_line("ln(pi/2 - asin(x*(1/x)))")
-    assert {between(a, b, BOX).finding, between(b, a, BOX).finding} <= {Finding.UNDECIDED, Finding.NOWHERE}
+@pytest.mark.parametrize("outer", ["ln({})", "<{}>^0/0.5", "sign(1/{})", "(1/{})^0", "atan2(1/{}; -1)"])
+def test_what_is_not_sure_to_have_a_value_is_not_called_undefined(outer: str) -> None:
+    a, b = (parse_line(outer.format(inner)) for inner in ("acos(x/x)", "(pi/2 - asin(x*(1/x)))"))
+    assert not {between(a, b, BOX).finding, between(b, a, BOX).finding} & {Finding.DIFFERENT, Finding.UNDEFINED}
+
+
+@pytest.mark.parametrize("name", sorted(set(BALLS.functions) - {"pi", "integer_power"}))
+def test_nothing_has_a_value_where_an_argument_is_not_sure_to_have_one(name: str) -> None:
+    unsure, function, found = arb("nan"), BALLS.functions[name], []
+    for arguments in ((unsure,), (unsure, arb(0)), (unsure, arb(2)), (unsure, arb(-1))):
+        with suppress(TypeError, UndefinedError):
+            found.append(function(*arguments).is_finite())
+    assert found and not any(found)

@@ -18,7 +18,7 @@ LINES = [
     "atan(x) + acot(y)", "atan2(x; y)", "atan2(y; x + 9)", "sinh(x) - cosh(y)*tanh(x)", "exp(x - y)", "ln(x + 9)",
     "log(y + 9; 2)", "log(x + 9)", "sqrt(x + 2)", "root(x; 3) + root(y + 9; 4)", "abs(x)*sign(y)",
     "min(x; y) - max(x; 2*y)", "<x - y>^2", "<x>^0", "(x + 9)^y", "(x + 9)^-2", "x^-1", "-x°", "pi*x",
-    "sqrt(-1 - x^2)", "1/sqrt(x)", "x^0.5",
+    "sqrt(-1 - x^2)", "1/sqrt(x)", "x^0.5", "sin(40*x)*cos(40*y)", "(1/x)*(1/y)",
 ]  # fmt: skip
 
 
