@@ -25,11 +25,13 @@ from typing import Any  # noqa: E402
 from sqlalchemy import Connection, Engine, Table, event, insert  # noqa: E402
 from starlette.testclient import TestClient  # noqa: E402
 
+from exercises.variants import deal  # noqa: E402
 from server import ids, tokens  # noqa: E402
 from server.app import create_app  # noqa: E402
 from server.database import secret_of  # noqa: E402
 from server.engine import engine  # noqa: E402
 from server.migrate import migrate  # noqa: E402
+from server.sets import dealing  # noqa: E402
 from server.settings import Settings  # noqa: E402
 from server.tables import (  # noqa: E402
     attempts,
@@ -48,7 +50,6 @@ from server.tables import (  # noqa: E402
 
 NOW = datetime(2026, 11, 28, 12, tzinfo=UTC)
 ANSWERS = ("alpha2", "l3", "omega2_formula", "omega2", "v3")
-SHOWN = {"en": {"answers": {name: {"weight": 1.0} for name in ANSWERS}}}
 EVERY = 20  # every so many submissions one is marked by hand
 OPEN = 50  # every so many one has an answer that is left to the lecturer
 TARGET = 0.5  # s
@@ -58,7 +59,7 @@ def fill(url: str, students: int, tasks: int) -> tuple[str, str]:
     """Write a class that has worked; gives the numbers of the set and of the course."""
     course, task_set = ids.new(), ids.new()
     people = [ids.new() for _ in range(students + 1)]
-    store = engine(url, connections=1)
+    store, shown = engine(url, connections=1), dealing.card("", deal("slider_crank", 1)).shown
     with store.begin() as connection:
         _people(connection, course, people)
         line = {"id": task_set, "course": course, "title": "Set", "rules": {}, "state": "published", "opens": NOW}
@@ -69,7 +70,7 @@ def fill(url: str, students: int, tasks: int) -> tuple[str, str]:
             slot = {"id": f"{task_set}-{number}", "task_set": task_set, "number": number, "pool": ["slider_crank"]}
             rows.setdefault(slots, []).append(slot | {"points": 10.0, "attempts": None, "limits": {}})
             for at, person in enumerate(people[1:], 1):
-                for table, row in _work(str(slot["id"]), at, person, people[0]):
+                for table, row in _work(str(slot["id"]), at, person, people[0], shown):
                     rows.setdefault(table, []).append(row)
         for table in (slots, variants, deck, submissions, grades, attempts, marks):
             connection.execute(insert(table), rows[table])
@@ -88,12 +89,12 @@ def _people(connection: Connection, course: str, people: list[str]) -> None:
     connection.execute(insert(memberships), members)
 
 
-def _work(slot: str, at: int, person: str, lecturer: str) -> Iterator[tuple[Table, dict[str, Any]]]:
+def _work(slot: str, at: int, person: str, lecturer: str, shown: Any) -> Iterator[tuple[Table, dict[str, Any]]]:
     variant = ids.new()
     same: dict[str, Any] = {"exercise": "slider_crank", "version": 1, "seed": at, "givens": {"l1": 0.05}}
     yield variants, same | {"id": variant, "owner": person, "created": NOW, "last_used": NOW}
     dealt = {"person": person, "turn": 1, "variant": variant, "dealt": NOW, "code": ids.new()}
-    yield deck, same | dealt | {"id": ids.new(), "slot": slot, "number": at, "shown": SHOWN, "reference": {}}
+    yield deck, same | dealt | {"id": ids.new(), "slot": slot, "number": at, "shown": shown, "reference": {}}
     for attempt in (1, 2):
         receipt, received = ids.new(), NOW + timedelta(minutes=attempt)
         handed = {"receipt": receipt, "variant": variant, "owner": person, "answers": dict.fromkeys(ANSWERS, "1")}

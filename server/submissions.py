@@ -226,7 +226,7 @@ def worded(marked: Marked, around: Around, language: str, *, staff: bool = False
     hints = presenting.hints(restored(around.dealt), grade, language) if told and around.dealt else ()
     verdicts = {name: one for name, one in grade.verdicts.items() if not held or one.code is Code.UNREADABLE}
     marks = () if held else around.marks
-    line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted, None)
+    line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted)
     given = counting.by_submission(marks).get(handed.receipt, counting.NONE)
     return Graded(
         score=None if held else _score(place, line, given),

@@ -50,12 +50,11 @@ def ledger(connection: Connection, number: str, person: str | None) -> list[Line
     query = (
         select(
             deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-            grades.c.grade, grades.c.counted, attempts.c.number.label("attempt"),
+            grades.c.grade, grades.c.counted,
         )
         .join_from(submissions, deck, deck.c.variant == submissions.c.variant)
         .join(slots, slots.c.id == deck.c.slot)
         .join(grades, grades.c.id == newest)
-        .outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
         .where(slots.c.task_set == number)
         .order_by(submissions.c.time, submissions.c.receipt)
     )  # fmt: skip

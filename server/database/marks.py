@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from operator import attrgetter
 from typing import Any
 
 from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, select
@@ -15,7 +16,7 @@ from server.storage import Draft, Handed
 from server.storage.audit import Entry
 from server.storage.marks import DealtCard, Mark, Progress
 from server.storage.sets import Line
-from server.tables import attempts, deck, drafts, grades, marks, slots, submissions
+from server.tables import deck, drafts, grades, marks, slots, submissions
 
 CARD = (
     deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,
@@ -24,6 +25,10 @@ CARD = (
 # What may hold an answer that was left open: what did not count may be all undecided, or our fault.
 DOUBTFUL = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean())
 
+NONE: Mapping[str, Any] = {}
+
+AT_ONCE = 1000  # receipts in one query
+THESE = select(submissions).where(submissions.c.receipt.in_(bindparam("receipts", expanding=True)))
 ON = select(marks).where(marks.c.submission == bindparam("receipt")).order_by(marks.c.id)
 
 
@@ -50,8 +55,10 @@ class Marks:
     async def weights(self, task_set: str, person: str | None = None) -> Mapping[str, Mapping[str, float]]:
         """Give the weights of the answers of those variants in a set of which some answer is marked."""
         marked = select(submissions.c.variant).join(marks).where(marks.c.answer.is_not(None))
-        query = select(deck.c.variant, deck.c.shown[DEFAULT, "answers"].label("answers"))
-        rows = await self._rows(_within(query, task_set, person).where(deck.c.variant.in_(marked)))
+        here = _within(select(deck.c.variant), task_set, person).where(deck.c.variant.in_(marked))
+        card = deck.alias()  # of the others nothing is read: what they show is long
+        query = select(card.c.variant, card.c.shown[DEFAULT, "answers"].label("answers"))
+        rows = await self._rows(query.where(card.c.variant.in_(here)))
         return {row["variant"]: {n: field["weight"] for n, field in row["answers"].items()} for row in rows}
 
     async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
@@ -66,11 +73,16 @@ class Marks:
         """List the submissions to a set in the order received, with the verdicts of those alone that need them."""
         return await self._connections.read(lambda connection: _lines(connection, task_set, person))
 
-    async def handed(self, task_set: str, person: str | None = None, *, doubtful: bool = False) -> Sequence[Handed]:
-        """List what was handed in to a set in the order received; where asked, only what may hold an open answer."""
+    async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
+        """List what was handed in to a set in the order received."""
         query = _graded(select(submissions), task_set, person)
-        chosen = query.where(DOUBTFUL) if doubtful else query
-        return [Handed(**row) for row in await self._rows(chosen.order_by(submissions.c.time, submissions.c.receipt))]
+        return [Handed(**row) for row in await self._rows(query.order_by(submissions.c.time, submissions.c.receipt))]
+
+    async def with_receipts(self, receipts: Sequence[str]) -> Mapping[str, Handed]:
+        """Give what was handed in under some receipts."""
+        parts = [receipts[at : at + AT_ONCE] for at in range(0, len(receipts), AT_ONCE)]
+        rows = [row for part in parts for row in await self._rows(THESE, {"receipts": part})]
+        return {row["receipt"]: Handed(**row) for row in rows}
 
     async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:
         """List the drafts of a student in a set."""
@@ -89,7 +101,7 @@ class Marks:
         opened = _within(query, task_set, None).where(deck.c.variant.is_not(None)).group_by(deck.c.person)
         return [Progress(**row) for row in await self._rows(opened)]
 
-    async def _rows(self, query: Select[Any], values: Mapping[str, str] | None = None) -> Sequence[Mapping[str, Any]]:
+    async def _rows(self, query: Select[Any], values: Mapping[str, Any] | None = None) -> Sequence[Mapping[str, Any]]:
         return await self._connections.read(
             lambda connection: [dict(row) for row in connection.execute(query, values).mappings().all()]
         )
@@ -106,20 +118,20 @@ def _lines(connection: Connection, task_set: str, person: str | None) -> list[Li
     whole_grade = case((or_(DOUBTFUL, marked), grades.c.grade))
     light = select(
         deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-        whole_grade, grades.c.grade["score"].as_float(), grades.c.counted, attempts.c.number,
+        whole_grade, grades.c.grade["score"].as_float(), grades.c.counted,
     )  # fmt: skip
-    query = _graded(light, task_set, person).outerjoin(attempts, attempts.c.submission == submissions.c.receipt)
     opened = moments(connection, task_set)
+    rows = connection.execute(_graded(light, task_set, person)).all()
     found = [
         Line(
-            slot, who, variant, receipt, at, whole or {"score": score, "verdicts": {}}, counted, attempt,
-            before(opened, variant, at),
+            slot, who, variant, receipt, at, whole or {"score": score, "verdicts": NONE}, counted,
+            before(opened, variant, at) if opened else 0,
         )
-        for slot, who, variant, receipt, at, whole, score, counted, attempt in connection.execute(query).all()
+        for slot, who, variant, receipt, at, whole, score, counted in rows
     ]  # fmt: skip
-    return sorted(
-        found, key=lambda line: (line.time, line.receipt)
-    )  # the database would sort whole rows, which takes longer
+    found.sort(key=attrgetter("receipt"))
+    found.sort(key=attrgetter("time"))  # the database would sort whole rows, which takes longer
+    return found
 
 
 def _graded(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:

@@ -50,13 +50,13 @@ def left_open(line: Line, given: Given) -> list[str]:
 
 def entries(lines: Iterable[Line], marks: Mapping[str, Given], weights: Weights, rules: Rules) -> tuple[Entry, ...]:
     """Make the ledger of a slot: marks by hand are counted in."""
-    return tuple(_entry(line, marks.get(line.receipt, NONE), weights.get(line.variant, {}), rules) for line in lines)
+    return tuple([_entry(line, marks.get(line.receipt, NONE), weights.get(line.variant, {}), rules) for line in lines])
 
 
 def unsettled(
     lines: Sequence[Line], marks: Mapping[str, Given], kept: Entry | None, share: float | None, rules: Rules
-) -> list[Line]:
-    """List the submissions in which the lecturer has something to settle that can change the points of a slot.
+) -> set[str]:
+    """Give the codes of the answers that the lecturer has still to settle and that can change the points of a slot.
 
     Where the best counts, full points stand whatever comes; where the last counts, only what came after it matters.
     """
@@ -64,7 +64,12 @@ def unsettled(
         seen = [] if share is not None and share >= 1 else lines
     else:
         seen = [line for line in lines if kept is None or line.time >= kept.time]
-    return [line for line in seen if left_open(line, marks.get(line.receipt, NONE))]
+    return {
+        line.grade["verdicts"][name]["code"]
+        for line in seen
+        if line.grade["verdicts"]
+        for name in left_open(line, marks.get(line.receipt, NONE))
+    }
 
 
 def _entry(line: Line, given: Given, weights: Mapping[str, float], rules: Rules) -> Entry:

@@ -86,7 +86,7 @@ async def give(bench: Bench, reader: Reader, task_set: TaskSet, new: NewMark) ->
 
 async def _is_open(bench: Bench, marked: Marked, answer: str | None) -> bool:
     handed = marked.handed
-    line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted, None)
+    line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted)
     given = by_submission(await bench.marks.on(handed.receipt))
     return answer in left_open(line, given.get(handed.receipt, {}))
 
@@ -100,7 +100,7 @@ async def waiting(bench: Bench, task_set: TaskSet) -> list[Left]:
 async def waiting_in(bench: Bench, task_set: TaskSet, lines: Sequence[Line], marks: Mapping[str, Given]) -> list[Left]:
     """List what is still to be settled in submissions that were read already, given the marks by hand."""
     opened = [(line, name) for line in lines for name in left_open(line, marks.get(line.receipt, {}))]
-    handed = {one.receipt: one for one in await bench.marks.handed(task_set.id, doubtful=True)} if opened else {}
+    handed = await bench.marks.with_receipts(sorted({line.receipt for line, _ in opened}))
     numbers = {slot.id: slot.number for slot in task_set.slots}
     found: dict[tuple[int, str, str, str], list[Line]] = {}
     for line, name in opened:

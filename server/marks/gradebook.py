@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Protocol
 
 from graders import Code
-from server.marks.counting import Given, Weights, by_submission, entries, left_open, unsettled
+from server.marks.counting import Given, Weights, by_submission, entries, unsettled
 from server.sets.handing import rules_of, window_of
 from server.sets.rules import Entry, Rules, Window, combined, kept, reached, worth
 from server.storage.courses import LEFT, Courses, Member
@@ -78,6 +79,11 @@ class Cell:
     def provisional(self) -> bool:
         """Whether the points can still change by what the lecturer settles."""
         return self.open is not None
+
+    @property
+    def look(self) -> tuple[object, ...]:
+        """What makes a cell of one student look different from another's."""
+        return self.slot.number, self.state, self.points, self.share is None, self.late, self.by_hand, self.hints
 
     @property
     def state(self) -> str:
@@ -233,9 +239,9 @@ def computed(found: Material) -> Gradebook:
 
 
 def _grouped(lines: Iterable[Line]) -> dict[tuple[str, str], list[Line]]:
-    found: dict[tuple[str, str], list[Line]] = {}
+    found: dict[tuple[str, str], list[Line]] = defaultdict(list)
     for line in lines:
-        found.setdefault((line.person, line.slot), []).append(line)
+        found[line.person, line.slot].append(line)
     return found
 
 
@@ -248,9 +254,9 @@ def _row(
     extra = found.extra.get(person, (0, ""))[0]
     own = window_of(task_set, extra, begun)
     cards = {card.slot: card for card in dealt}
-    cells = tuple(
-        cell(slot, cards.get(slot.id), lines.get((person, slot.id), []), found, own, rules) for slot in task_set.slots
-    )
+    cells = tuple([
+        cell(slot, cards.get(slot.id), lines.get((person, slot.id), ()), found, own, rules) for slot in task_set.slots
+    ])  # fmt: skip
     worth = sum(slot.points for slot in task_set.slots)
     share = sum(one.points for one in cells) / worth if worth else 0.0
     return Row(member, group, cells, own, begun, extra, round(share, 6))
@@ -261,25 +267,23 @@ def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Mater
     ledger = entries(lines, found.marks, found.weights, rules)
     best = kept(ledger, own.due, rules)
     share = None if best is None else reached(best, own.due, rules)
-    codes = {
-        line.grade["verdicts"][name]["code"]
-        for line in unsettled(lines, found.marks, best, share, rules)
-        for name in left_open(line, found.marks.get(line.receipt, {}))
-    }
+    codes = unsettled(lines, found.marks, best, share, rules)
     state = None if not codes else "fault" if codes == {Code.FAULT.value} else "undecided"
     return Cell(
-        slot, card, len(lines), sum(line.counted for line in lines), share, round((share or 0.0) * slot.points, 3),
-        *_losses(slot, best, own, rules), best.receipt if best else None,
+        slot, card, len(lines), sum([line.counted for line in lines]), share, round((share or 0.0) * slot.points, 3),
+        *_losses(slot, best, share, own, rules), best.receipt if best else None,
         bool(best and own.due and best.time > own.due),
         bool(best and best.settled), best.hints if best else 0, state,
     )  # fmt: skip
 
 
-def _losses(slot: Slot, best: Entry | None, own: Window, rules: Rules) -> tuple[float, float]:
+def _losses(
+    slot: Slot, best: Entry | None, share: float | None, own: Window, rules: Rules
+) -> tuple[float, float]:  # fmt: skip
     """Give the points that lateness took off a submission, and those that hints took off what was left."""
-    if best is None:
+    if best is None or share is None or share >= best.share:
         return 0.0, 0.0
-    full, net = best.share * slot.points, round(reached(best, own.due, rules) * slot.points, 3)
+    full, net = best.share * slot.points, round(share * slot.points, 3)
     on_time = round(full * worth(best.time, own.due, rules), 3)
     return round(full - on_time, 3), round(on_time - net, 3)
 

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from fastapi import APIRouter, Depends, Request
+from markupsafe import Markup
 from pydantic import ValidationError
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
@@ -21,7 +22,7 @@ from server.language import say
 from server.marks import giving, gradebook
 from server.marks.asking import asked
 from server.marks.giving import NewMark, Settling
-from server.marks.gradebook import Gradebook
+from server.marks.gradebook import Cell, Gradebook
 from server.marks.history import history
 from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
@@ -189,6 +190,7 @@ def _common(reader: Reader) -> dict[str, Any]:
         "course": course,
         **told(reader.language, clock.zone(course.time_zone)),
         "told": partial(_told, reader.language),
+        "once": _once,
     }
 
 
@@ -201,10 +203,23 @@ def _signed(language: str, value: float) -> str:
     return _rounded(language, value, places=2).replace("-", "−")
 
 
-def _told(language: str, name: str, cell: Any) -> str:
+def _once(draw: Callable[[Cell], Markup]) -> Callable[[Cell], Markup]:
+    """Draw cells that look alike once: a class has thousands, and few different ones."""
+    drawn: dict[object, Markup] = {}
+
+    def found(cell: Cell) -> Markup:
+        look = cell.look
+        if look not in drawn:
+            drawn[look] = draw(cell)
+        return drawn[look]
+
+    return found
+
+
+def _told(language: str, cell: Cell) -> str:
     """Tell a cell in words."""
     state = say(language, f"marks.state_{cell.state}")
     return say(
-        language, "marks.cell", name=name, item=cell.slot.number, state=state, points=decimal(language, cell.points),
+        language, "marks.cell", item=cell.slot.number, state=state, points=decimal(language, cell.points),
         all=decimal(language, cell.slot.points),
     )  # fmt: skip

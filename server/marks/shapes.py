@@ -5,6 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 
 from pydantic import BaseModel
+from typing_extensions import TypedDict  # Pydantic asks for it below Python 3.12
 
 from server.marks.giving import Left
 from server.marks.gradebook import Cell, Gradebook, Row
@@ -25,7 +26,7 @@ class ShownStudent(BaseModel):
     left: bool
 
 
-class ShownCell(BaseModel):
+class ShownCell(TypedDict):
     """A task of a student. `state` is right, partly, wrong, unreadable, undecided, fault, or open for no work yet;
     `provisional` says that the points can still change by what the lecturer settles; `hints` were opened at a price.
     `late_loss` and `hint_loss` are the points that lateness and these hints took off: `points` are what is left.

@@ -116,7 +116,7 @@ def _earliest(*moments: datetime | None) -> datetime | None:
 
 def worth(time: datetime, due: datetime | None, rules: Rules) -> float:
     """Give the share of the points that work received at a moment can still reach; each day begun takes its loss."""
-    if due is None or time <= due or rules.late != "reduced":
+    if rules.late != "reduced" or due is None or time <= due:
         return 1.0
     return max(0.0, 1 - rules.late_loss * ceil((time - due) / DAY))
 
@@ -171,7 +171,8 @@ def reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
 
 
 def _reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
-    return entry.share * worth(entry.time, due, rules) * left_of_hints(entry.hints, rules)
+    share = entry.share * worth(entry.time, due, rules)
+    return share * left_of_hints(entry.hints, rules) if entry.hints else share
 
 
 def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry | None:
@@ -180,7 +181,7 @@ def kept(ledger: Iterable[Entry], due: datetime | None, rules: Rules) -> Entry |
     One that did not count earns too once the lecturer has settled it.
     """
     judged = [entry for entry in ledger if entry.counted or entry.settled or entry.share > 0]
-    if not judged or rules.keep == "last":
+    if len(judged) < 2 or rules.keep == "last":
         return judged[-1] if judged else None
     return max(judged, key=lambda entry: _reached(entry, due, rules))
 

@@ -88,8 +88,12 @@ class Marks(Protocol):
         marked or may be left open, else its score alone."""
         ...
 
-    async def handed(self, task_set: str, person: str | None = None, *, doubtful: bool = False) -> Sequence[Handed]:
-        """List what was handed in to a set in the order received; where asked, only what may hold an open answer."""
+    async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
+        """List what was handed in to a set in the order received."""
+        ...
+
+    async def with_receipts(self, receipts: Sequence[str]) -> Mapping[str, Handed]:
+        """Give what was handed in under some receipts."""
         ...
 
     async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:

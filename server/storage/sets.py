@@ -106,7 +106,6 @@ class Line:
     time: datetime
     grade: Mapping[str, Any]
     counted: bool
-    attempt: int | None
     hints: int = 0
 
 

@@ -28,7 +28,7 @@ def line(person: str, code: str, mistake: str | None) -> tuple[Line, Handed]:
     grade["verdicts"] = {"l3": {"code": code, "score": grade["score"]}}
     at = NOW + timedelta(minutes=15)
     handed = Handed(person, person, person, {"l3": "7 mm" if mistake else "1 m"}, at, None, "b", "d", "pl")
-    return Line(SLOT, person, person, person, at, grade, True, 1), handed
+    return Line(SLOT, person, person, person, at, grade, True), handed
 
 
 def classroom() -> tuple[Material, list[Line], dict[str, Handed]]:
