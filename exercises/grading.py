@@ -14,19 +14,16 @@ from exercises.solving import NO_SECRET, Kept, Lines, Solved, evaluate
 from exercises.variants import Predictions, misread, modes, slips, unasked
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.common_slips import CommonSlip, Slips, agrees, is_right, likeliest, slips_of
-from graders.judge import Matrix
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError
 from graders.language.notes import notes_of
 from graders.line_slips import slips_in
+from graders.plausible import plausible
 from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
 
 GRADER_VERSION = "1"
-PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference, either way
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
 OFF = (Outcome.PARTLY, Outcome.WRONG)
-FULL = 2 / 3  # of the share of entries of a right matrix that are not zero
-FEW = 2  # things counted
 MOST_TRIED = 120  # slips in lines that are not asked for
 MEASURED = ("quantity", "matrix")
 
@@ -204,31 +201,6 @@ def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree
         return
     if plausible(value, solved.values[step], solved.answers[name].kind == "integer"):
         fixed[step] = carried
-
-
-def plausible(value: Value, right: Value, counts: bool = False) -> bool:
-    """Tell whether later answers may be solved from a value: neither trivial nor far from the right one in size.
-
-    The sign is free: to lose it is an ordinary slip. A matrix has the size of the right one, and is as full: zeros make
-    what follows trivial. So does a zero, but one that counts (pairs, freedoms) may stand for a few, or a few for it.
-    """
-    if isinstance(value, str) or isinstance(right, str):
-        return True
-    if isinstance(value, tuple) and isinstance(right, tuple):
-        (size, full), (right_size, right_full) = map(_filled, (value, right))
-        return full >= FULL * right_full and right_size / PLAUSIBLE < size < right_size * PLAUSIBLE
-    if isinstance(value, tuple) or isinstance(right, tuple):
-        return False
-    if counts and not (value and right):
-        return abs(value - right) <= FEW
-    return abs(right) / PLAUSIBLE < abs(value) < abs(right) * PLAUSIBLE
-
-
-def _filled(matrix: Matrix) -> tuple[float, float]:
-    """Give the largest entry of a matrix, and the share of entries that are not negligible beside it."""
-    entries = [abs(entry) for row in matrix for entry in row]
-    largest = max(entries)
-    return largest, sum(entry > largest / PLAUSIBLE**2 for entry in entries) / len(entries)
 
 
 def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> dict[str, Value | Tree]:

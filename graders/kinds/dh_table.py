@@ -60,10 +60,6 @@ class DHTable:
     def parse(self, text: str, symbols: Symbols) -> Table:
         """Read `[[q1; L1; 0; pi/2]; …]`, or a row a line without brackets; raises AnswerSyntaxError."""
         tree = _read(text, symbols)
-        if isinstance(tree, Relation) and tree.operators == ("=",):
-            tree = tree.sides[1]
-        if not isinstance(tree, Grid):
-            raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
         for entry in children(tree):
             if any(isinstance(node, Grid | Index | Relation) for node in walk(entry)):
                 raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text_of(entry)[:20])
@@ -140,7 +136,7 @@ class DHTable:
         return {"rows": len(self.joints), "columns": COLUMNS, "convention": self.convention, "joints": self.joints}
 
 
-def _read(text: str, symbols: Symbols) -> Tree:
+def _read(text: str, symbols: Symbols) -> Grid:
     """Read a matrix; lines without brackets are its rows."""
     lines = text.strip().split("\n")
     if len(lines) < 2 or "[" in text or "\\" in text:

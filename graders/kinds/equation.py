@@ -12,9 +12,7 @@ from graders.language.parser import parse_line
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Name, Relation
-from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, Witness, wrong
-
-PART = 0.5  # of the score for an equation that holds, but has other solutions as well, or not all
+from graders.verdict import Code, Verdict, wrong
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,21 +44,11 @@ class Equation:
 
     def check(self, answer: Relation, reference: Formula) -> Verdict:
         """Judge at the true states first, then by all solutions; what is open is kept for the lecturer."""
-        from graders.equality import Finding
         from graders.solutions.posed import Task, judged
 
         task = Task((self.step,), (self.span,), reference)
         seen = judged((answer,), (self._right(reference),), task)
-        if not all(seen.holding):
-            return wrong(Code.NOT_SATISFIED)
-        if not seen.determined:
-            return wrong(Code.UNDETERMINED)
-        if seen.found.finding is Finding.EQUAL:
-            return RIGHT
-        if seen.found.finding is Finding.UNDECIDED:
-            return UNDECIDED
-        code = Code.LOST_SOLUTION if seen.found.lost else Code.SURPLUS_SOLUTION
-        return Verdict(PART, code, Witness(seen.found.witness))
+        return seen.verdict if all(seen.holding) else wrong(Code.NOT_SATISFIED)
 
     def _right(self, reference: Formula) -> Relation:
         """Give the task's own equation; that of a replaced step where the written one does not hold."""

@@ -66,10 +66,6 @@ class Matrix:
     def parse(self, text: str, symbols: Symbols) -> Typed:
         """Read `[[1; 0], [0; 1]]`, `[1, 0; 0, 1]` or bare rows; entries may be constants such as `cos(30°)`."""
         tree = read_grid(text, symbols)
-        if isinstance(tree, Relation) and tree.operators == ("=",):
-            tree = tree.sides[1]
-        if not isinstance(tree, Grid):
-            raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
         return Typed(tree, tuple(tuple(self._value(at, e, text) for at, e in enumerate(row)) for row in tree.rows))
 
     def _unit(self, column: int) -> Unit:
@@ -170,12 +166,21 @@ class Matrix:
         return {"rows": self.rows, "columns": self.columns, "rtol": self.rtol, **units}
 
 
-def read_grid(text: str, symbols: Symbols) -> Tree:
-    """Read a text that should be a matrix, with or without its brackets.
+def read_grid(text: str, symbols: Symbols) -> Grid:
+    """Read a matrix with or without its brackets, `A = …` in front of it or not.
 
     Raises:
-        AnswerSyntaxError: It cannot be read; an entry left empty is told by its row and column.
+        AnswerSyntaxError: It is none, or cannot be read; an entry left empty is told by its row and column.
     """
+    tree = _read(text, symbols)
+    if isinstance(tree, Relation) and tree.operators == ("=",):
+        tree = tree.sides[1]
+    if not isinstance(tree, Grid):
+        raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
+    return tree
+
+
+def _read(text: str, symbols: Symbols) -> Tree:
     try:
         return parse(text, symbols)
     except AnswerSyntaxError as error:

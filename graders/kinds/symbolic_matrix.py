@@ -9,11 +9,10 @@ from typing import Any, ClassVar
 from graders.formulas import checked
 from graders.judge import Echo, Formula, Samples
 from graders.kinds.matrix import read_grid
-from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.mathml import mathml_of
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Grid, Relation, Tree, names
+from graders.language.tree import Grid, Tree, names
 from graders.verdict import RIGHT, UNDECIDED, Code, Entries, Verdict, wrong
 
 
@@ -38,10 +37,6 @@ class SymbolicMatrix:
     def parse(self, text: str, symbols: Symbols) -> Grid:
         """Read `[[cos(q1); -sin(q1)], [sin(q1); cos(q1)]]`; the name of the matrix and `=` may stand in front."""
         tree = read_grid(text, symbols)
-        if isinstance(tree, Relation) and tree.operators == ("=",):
-            tree = tree.sides[1]
-        if not isinstance(tree, Grid):
-            raise AnswerSyntaxError(Reason.WRONG_SHAPE, 0, text.strip()[:20])
         for entry in _entries(tree):
             checked(entry, text, symbols)
         return tree

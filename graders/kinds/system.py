@@ -12,9 +12,7 @@ from graders.language.parser import parse_line
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
 from graders.language.tree import Relation
-from graders.verdict import RIGHT, UNDECIDED, Branches, Code, Verdict, Witness, wrong
-
-PART = 0.5  # of the score for equations that hold, but lose a solution, bring one, or hold only in part
+from graders.verdict import Branches, Code, Verdict, wrong
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +49,7 @@ class System:
 
     def check(self, answer: tuple[Relation, ...], reference: Formula) -> Verdict:
         """Judge each equation at the true states, then the system by its solutions."""
-        from graders.equality import Finding
-        from graders.solutions.posed import Task, judged
+        from graders.solutions.posed import PART, Task, judged
 
         seen = judged(answer, self._right(), Task(self.unknowns, self.spans, reference))
         holding = sum(seen.holding)
@@ -60,14 +57,7 @@ class System:
             share = round(PART * holding / max(len(answer), len(self.equations)), 6)
             parts = Branches(holding, len(answer))
             return Verdict(share, Code.SOME_EQUATIONS, parts) if holding else wrong(Code.NOT_SATISFIED)
-        if not seen.determined:
-            return wrong(Code.UNDETERMINED)
-        if seen.found.finding is Finding.EQUAL:
-            return RIGHT
-        if seen.found.finding is Finding.UNDECIDED:
-            return UNDECIDED
-        code = Code.LOST_SOLUTION if seen.found.lost else Code.SURPLUS_SOLUTION
-        return Verdict(PART, code, Witness(seen.found.witness))
+        return seen.verdict
 
     def _right(self) -> tuple[Relation, ...]:
         found = tuple(tree for tree in map(parse_line, self.equations) if isinstance(tree, Relation))

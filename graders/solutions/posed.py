@@ -16,7 +16,9 @@ from graders.solutions.equations import Found, compare_equations
 from graders.solutions.reduction import reduced, residual
 from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, unit_points
 from graders.solutions.systems import compare_systems
+from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, Witness, wrong
 
+PART = 0.5  # of the score for equations that hold, but lose a solution, bring one, or hold only in part
 STATES = 4  # true states at which equations are tested
 SHIFT = arb(2) ** -90  # of a range: over which slopes are taken
 
@@ -99,6 +101,18 @@ class Judged:
     holding: tuple[bool, ...]
     determined: bool
     found: Found
+
+    @property
+    def verdict(self) -> Verdict:
+        """Judge equations that hold: whether they determine the unknowns, lose a solution or bring one."""
+        if not self.determined:
+            return wrong(Code.UNDETERMINED)
+        if self.found.finding is Finding.EQUAL:
+            return RIGHT
+        if self.found.finding is Finding.UNDECIDED:
+            return UNDECIDED
+        code = Code.LOST_SOLUTION if self.found.lost else Code.SURPLUS_SOLUTION
+        return Verdict(PART, code, Witness(self.found.witness))
 
 
 def judged(answer: Sequence[Relation], reference: Sequence[Relation], task: Task) -> Judged:

@@ -8,7 +8,7 @@ import pytest
 
 from exercises import catalogue, variants
 from exercises.exercise import Grade, Submission, Variant
-from exercises.grading import grade, plausible, reference
+from exercises.grading import grade, reference
 from exercises.presenting import hints, hints_text
 from exercises.solving import solved
 from graders import Code, Outcome
@@ -16,6 +16,7 @@ from graders.common_slips import CommonSlip, likeliest, off_by
 from graders.language import parse_line
 from graders.language.text import text_of
 from graders.line_slips import slips_in
+from graders.plausible import plausible
 from graders.units import read_unit
 from graders.words import LANGUAGES, common_hint, locale
 

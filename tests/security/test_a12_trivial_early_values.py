@@ -7,8 +7,9 @@ from math import asin, cos, degrees, sin
 import pytest
 
 from exercises.exercise import Submission
-from exercises.grading import PLAUSIBLE, grade
+from exercises.grading import grade
 from graders import Code
+from graders.plausible import PLAUSIBLE
 from tests.security.conftest import VARIANT
 
 GIVENS = VARIANT.givens
