@@ -13,9 +13,9 @@ FORMS = {
     "Pa": "pascal pascals paskal paskala paskale paskali паскаль паскаля паскали паскалей",
     "J": "joule joules dżul dżula dżule dżuli джоуль джоуля джоули джоулей",
     "W": "watt watts wat wata waty watów ватт ватта ватты",
-    "rad": "radian radians radiana radiany radianów радиан радиана радианы радианов",
 }
 WHOLE = {
+    "rad": "radian radians radiana radiany radianów радиан радиана радианы радианов",
     "min": "minute minutes minuta minuty minutę minut минута минуты минуту минут",
     "h": "hour hours godzina godziny godzinę godzin час часа часов",
     "rev": "revolution revolutions turns obrót obrotu obroty obrotów оборот оборота обороты оборотов",

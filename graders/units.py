@@ -90,7 +90,8 @@ def _compounds(table: dict[str, Unit]) -> dict[str, tuple[Unit, Unit]]:
 
 TABLE = _table()
 COMPOUNDS = _compounds(TABLE)
-NAMES = spellings({name: name for name in (*TABLE, *COMPOUNDS)})
+RARE = tuple(prefix + "rad" for prefix in PREFIXES if prefix not in ("", "m"))  # grad means another unit than Grad
+NAMES = spellings({name: name for name in (*TABLE, *COMPOUNDS) if name not in RARE})
 WORDS = dict(words())
 WHOLE = {"r/min": "rpm"}  # a lone r may be rad as well
 TO_CYRILLIC = str.maketrans({latin: cyrillic for cyrillic, latin in LOOK_ALIKES.items()})
@@ -214,7 +215,8 @@ class _UnitReader:
 @lru_cache(maxsize=512)
 def nearest_unit(piece: str) -> str:
     """Give the unit that a piece may mean: `kN` for KN, `MPa` for Mpa; empty where none is near."""
-    return nearest(piece, NAMES) if piece.isalpha() and len(piece) < 9 else ""
+    found = nearest(piece, NAMES) if piece.isalpha() and len(piece) < 9 else ""
+    return found if len(piece) > 2 or found.lower() == piece.lower() else ""  # two letters are near to too many
 
 
 def _named(piece: str) -> tuple[Unit, Unit] | None:

@@ -21,7 +21,7 @@ from graders.language.parser import parse_tokens
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
-from graders.language.tokens import LETTER, MAX_LENGTH, Token, tokenize
+from graders.language.tokens import LETTER, MAX_LENGTH, SAME, Token, tokenize
 from graders.language.tree import Number, Tree, Unary
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
@@ -260,6 +260,8 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
     tree = parse_tokens([*front, Token("end", "", cut)], NOTHING)
     number = _computed(tree, start, number_text.strip()[:20])
     rest = text[cut:].lstrip()
+    if SAME.get(rest[:1], rest[:1]) == "*":
+        rest = rest[1:].lstrip()
     cut = len(text) - len(rest)
     if rest.startswith(("/", "∕", "÷")):
         return tree, number, "1" + rest, cut - 1
@@ -273,7 +275,7 @@ def _refuse_relation(tokens: list[Token], text: str) -> None:
         return
     mark = tokens[at]
     value = text[tokens[at + 1].position :] if at < 2 else text[: mark.position]
-    raise AnswerSyntaxError(Reason.NOT_A_NUMBER, mark.position, mark.text, value.strip()[:20])
+    raise AnswerSyntaxError(Reason.NOT_A_NUMBER, mark.position, mark.text, value.strip(" =")[:20])
 
 
 def _behind_equals(tokens: list[Token]) -> int:
@@ -325,6 +327,8 @@ def _unit_starts(tokens: list[Token], end: int) -> int:
         at -= 1
         if at > 1 and tokens[at - 1].text == "1" and tokens[at - 2].kind in ("number", ")"):
             at -= 1
+    elif at > 1 and tokens[at - 1].kind == "*":  # 12·kN
+        at -= 1
     return tokens[at].position
 
 

@@ -23,6 +23,7 @@ WORD = re.compile(r"[^\W\d_][^\W_]*")
 MARKS = re.compile(r"[0-9 +\-*/=(),.]+")  # that mean themselves
 INDICES = re.compile(r"(\d{1,2})[,;](\d{1,2})")
 ENVIRONMENT = re.compile(r"\{([A-Za-z]{1,12})\}")
+DOLLARS = re.compile(r"\s*\${1,2}[^$]+\${1,2}\s*")
 COLUMNS = re.compile(r"\{[lcr| ]{0,40}\}")
 POWER_OF_TEN = re.compile(r"\^(?:\((-?\d{1,4})\)|(\d) )")
 LITERAL = re.compile(r"(?:^|[^\w./,^ ]) {0,9}\d[\d.,]{0,60}$")
@@ -36,11 +37,9 @@ def is_latex(text: str) -> bool:
 
 
 def undollared(text: str) -> str:
-    """Blank out the dollar signs around a whole text, with which LaTeX is copied; places stay."""
-    inside = text.strip()
-    if len(inside) < 3 or inside[0] != "$" or inside[-1] != "$" or "$" in inside[1:-1]:
-        return text
-    return text.replace("$", " ")
+    """Blank out the dollar signs around a whole text, one or two, with which LaTeX is copied; places stay."""
+    copied = DOLLARS.fullmatch(text)
+    return text.replace("$", " ") if copied else text
 
 
 def upright(latex: str, place: int) -> bool:

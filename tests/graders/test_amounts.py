@@ -74,7 +74,8 @@ def test_a_bound_is_asked_for_its_value(text: str, place: int, meant: str) -> No
     "text",
     ["ok. 204 mm", "l3 = ok. 204 mm", "≈ około 204 mm", "ок. 204 мм", "Około 204", "w przybliżeniu 20,4 cm",
      "approx. 204 mm", "~204 mm", "204~mm", "$204\\,\\mathrm{mm}$", "l3: 204 mm", "Ø204 mm", "⌀ 204", "204.", "204 mm.",
-     "about -(-204) mm", "408/2 = 204 mm", "= 204", r"ok. 20{,}4\,\mathrm{cm}", "204 [mm]", "∛(204^3) mm"],
+     "about -(-204) mm", "408/2 = 204 mm", "= 204", r"ok. 20{,}4\,\mathrm{cm}", "204 [mm]", "∛(204^3) mm",
+     "204*mm", r"204\cdot\mathrm{mm}", "20,4·cm", "$$204$$", "$ 204 mm $"],
 )  # fmt: skip
 def test_what_says_nothing_of_an_amount_is_passed_over(text: str) -> None:
     assert Quantity("mm").parse(text, NOTHING).value == pytest.approx(0.204)

@@ -56,7 +56,7 @@ def test_value_unit_sign_and_power_of_ten_are_told_apart(typed: str, code: Code)
         ("MPa", Reason.NOT_A_NUMBER),
         ("", Reason.EMPTY),
         ("[1; 2]", Reason.NOT_A_NUMBER),
-        ("0*kN + 5 m", Reason.NEEDS_OPERAND),
+        ("0*kN + 5 m", Reason.UNKNOWN_UNIT),
         ("1e98 GPa", Reason.OUT_OF_RANGE),
         ("1/0", Reason.OUT_OF_RANGE),
         ("3 < 5", Reason.NOT_A_NUMBER),

@@ -10,7 +10,8 @@ import pytest
 
 from graders import AnswerSyntaxError
 from graders.language import Reason
-from graders.units import TABLE, fits, read_unit, readings
+from graders.unit_words import words
+from graders.units import TABLE, WORDS, fits, nearest_unit, read_unit, readings
 from graders.words import UNITS, printed_unit
 
 PINT = [
@@ -245,3 +246,20 @@ def test_russian_prints_units_in_its_own_letters() -> None:
     units = ("mm", "kN*m^2", "rad/s", "MPa", "m/s^2", "1", "1/s")
     assert [printed_unit(unit, "ru") for unit in units] == ["мм", "кН·м²", "рад/с", "МПа", "м/с²", "", "1/с"]
     assert [printed_unit(unit, "pl") for unit in units] == ["mm", "kN·m²", "rad/s", "MPa", "m/s²", "", "1/s"]
+
+
+@pytest.mark.parametrize(("typed", "meant"), [("Mpa", "MPa"), ("KN", "kN"), ("knm", "kNm"), ("mmm", "mm"), ("w", "W")])
+def test_a_near_unit_is_proposed(typed: str, meant: str) -> None:
+    assert nearest_unit(typed) == meant
+
+
+@pytest.mark.parametrize("typed", ["grad", "up", "мm", "na", "w górę", "pod"])
+def test_what_is_near_to_no_unit_is_not_taken_for_one(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        read_unit(typed)
+    assert refused.value.proposal.meant in ("", "W")
+
+
+@pytest.mark.parametrize("word", [word for word, _ in words()])
+def test_every_word_is_a_unit(word: str) -> None:
+    assert read_unit(word).factor == read_unit(WORDS[word]).factor
