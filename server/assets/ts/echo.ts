@@ -29,10 +29,17 @@ function mark(field: TextField, bad: boolean): void {
   else field.removeAttribute("aria-invalid");
 }
 
+/* A reading wider than its place is scrolled by keyboard too. */
+function reach(place: HTMLElement): void {
+  if (place.scrollWidth > place.clientWidth) place.tabIndex = 0;
+  else place.removeAttribute("tabindex");
+}
+
 function show(field: TextField, place: HTMLElement, preview: Preview, words: DOMStringMap): void {
   place.classList.toggle("bad", !preview.ok);
   place.replaceChildren(...(preview.ok ? understood(preview, words) : [span(""), span(preview.message)]));
   mark(field, !preview.ok);
+  reach(place);
 }
 
 function clear(field: TextField, place: HTMLElement, text = ""): void {
@@ -68,7 +75,10 @@ export function listenForEcho(form: HTMLFormElement): void {
     const id = isTextField(target) ? target.closest<HTMLElement>("[data-echo]")?.dataset["echo"] : undefined;
     const place = id === undefined ? null : document.getElementById(id);
     if (place === null || !isTextField(target)) return;
-    if (!places.has(place)) places.set(place, listen(place, form, url));
+    if (!places.has(place)) {
+      places.set(place, listen(place, form, url));
+      new ResizeObserver(() => reach(place)).observe(place);
+    }
     places.get(place)?.(target);
   });
 }

@@ -80,6 +80,13 @@ def a_text_beyond_its_table(page: Page, site: Live) -> None:
     page.wait_for_selector("[data-twin-note]:visible")
 
 
+def laboratory(page: Page, site: Live) -> None:
+    desk(page, site.url, "tmm2_oop")
+    page.evaluate("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
+    page.fill("[name='answer.polygon']", grading.reference(deal("tmm2_oop", 7))["polygon"])
+    page.wait_for_selector("li:has([name='answer.polygon']) .read math")
+
+
 def table(page: Page, site: Live) -> None:
     desk(page, site.url, "rrp_table")
     page.locator("details summary:visible").last.click()
@@ -121,7 +128,7 @@ def problems(page: Page, site: Live) -> None:
 
 STATES: tuple[State, ...] = (
     catalogue_of_one, nothing_found, exercise, all_kinds_and_outcomes, polygon, table, verdicts, solution,
-    visual_editor, nothing_here, problems, a_handle_with_the_focus, a_text_beyond_its_table,
+    visual_editor, nothing_here, problems, a_handle_with_the_focus, a_text_beyond_its_table, laboratory,
 )  # fmt: skip
 
 

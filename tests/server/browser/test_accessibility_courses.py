@@ -47,9 +47,10 @@ def filled(course: Course) -> dict[str, str]:
     lecturer.post("/api/v1/tokens", json={"name": "nightly grading"})
     home = f"/courses/{school.course}"
     return {
-        "course": home, "sets": f"{home}/sets", "log": f"{home}/audit", "draft": f"/sets/{draft}",
-        "work": f"/sets/{number}/students/{school.people['student']}",
-        "set": f"/sets/{number}", "person": f"/people/{school.people['student']}",
+        "course": home, "sets": f"{home}/sets", "log": f"{home}/audit", "class": f"{home}/results",
+        "draft": f"/sets/{draft}", "set": f"/sets/{number}", "results": f"/sets/{number}/results",
+        "analysis": f"/sets/{number}/analysis", "regrade": f"/sets/{number}/regrade", "card": f"/variants/{variant}",
+        "work": f"/sets/{number}/students/{school.people['student']}", "person": f"/people/{school.people['student']}",
         "link": link.removeprefix(school.bench.settings.address),
     }  # fmt: skip
 
@@ -96,6 +97,10 @@ def extra_time(page: Page) -> None:
     page.wait_for_selector("#minutes")
 
 
+def dry_run(page: Page) -> None:
+    follow(page, "button[value=look]")
+
+
 def refused_sign_in(page: Page) -> None:
     page.fill("#login", "student")
     page.fill("#password", "wrong")
@@ -118,6 +123,13 @@ STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
     "refused builder": ("lecturer", "draft", refused_draft),
     "work of a student": ("lecturer", "work", extra_time),
     "published set": ("lecturer", "set", None),
+    "results": ("lecturer", "results", None),
+    "item analysis": ("lecturer", "analysis", None),
+    "regrade": ("lecturer", "regrade", None),
+    "job": ("lecturer", "regrade", dry_run),
+    "results of a course": ("lecturer", "class", None),
+    "card of a student": ("student", "card", None),
+    "home of a student": ("student", "/home", None),
     "course of a student": ("student", "course", None),
     "sets of a student": ("student", "sets", None),
     "set of a student": ("student", "set", None),
