@@ -190,6 +190,8 @@ async def _builder(
     """Show the builder; after a refusal with what was typed, and why it cannot be taken."""
     slot = found.slots[min(number, len(found.slots)) - 1] if found.slots else None
     place = clock.zone(here(reader).course.time_zone)
+    job = await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None
+    dealt = await bench.jobs.progress(job.id) if job else ()
     context = {
         "task_set": found,
         "written": typed or written(found, place),
@@ -198,7 +200,8 @@ async def _builder(
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "seen_deadlines": building.deadlines([found]),
-        "job": await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None,
+        "job": job,
+        "cards": (sum(one.reached for one in dealt), sum(one.parts for one in dealt)),
         "students": len(await bench.sets.students(found.course)),
         "slot": slot,
         "seed": seed,

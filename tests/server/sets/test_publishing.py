@@ -51,7 +51,7 @@ def test_a_set_is_frozen_while_it_is_dealt_and_usable_when_it_is_done(course: Co
     assert code_of(course.lecturer.post(f"{path}/open")) == (409, "set_changed")
     assert course.open(number).status_code == 404 and course.student.get(path).status_code == 404
     page = course.lecturer.get(f"/sets/{number}?lang=en").text
-    assert "Variants drawn and checked: 0 of 1" in page and 'name="then"' not in page
+    assert "Variants drawn and checked: 0 of 4" in page and 'name="then"' not in page
     hold[0] = False
     assert ended(course, job)["result"] == {"cards": 4}
     assert course.lecturer.get(path).json()["state"] == "published"
