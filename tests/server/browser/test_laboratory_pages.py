@@ -108,6 +108,17 @@ def test_a_section_is_opened_filled_and_checked_by_keyboard_on_a_phone(page: Pag
     assert page.inner_text("[data-lab='time-value']") == "2.00\u202fs"
 
 
+def test_a_hint_in_a_section_is_one_line_to_open(page: Page, site: Live) -> None:
+    page.set_viewport_size({"width": 360, "height": 740})
+    desk(page, site.url, "tmm2_oop")
+    fill(page, "x_D", "9 m")
+    follow(page, "button[name='section'][value='9']")
+    hint = page.locator("#section-9 details.hint > summary")
+    assert hint.evaluate("one => getComputedStyle(one).display") == "list-item"
+    box = hint.bounding_box()
+    assert box is not None and box["height"] < 60
+
+
 def test_samples_come_back_and_the_largest_difference_is_told(page: Page, site: Live) -> None:
     desk(page, site.url, "tmm2_oop")
     fill(page, "polygon", RIGHT["polygon"])

@@ -131,12 +131,14 @@ test("a table that cannot be read names its line", () => {
   assert.deepEqual(read("x;v\n1;2"), { line: 1 });
   assert.deepEqual(read("t;x\n0;1\nend;2"), { line: 3 });
   assert.deepEqual(read("t;x\n"), { line: 2 });
+  assert.deepEqual(read("t;x\n0;1\n1;two"), { line: 3 });
+  assert.deepEqual(read("t;x\n0;\n1;nan"), [{ t: 0, x: NaN, v: NaN, a: NaN }, { t: 1, x: NaN, v: NaN, a: NaN }]);
 });
 
 test("the largest difference of each column comes with its time, empty columns are left out", () => {
   const rows = [{ t: 0, x: 1, v: 0, a: NaN }, { t: 1, x: 4, v: 1, a: NaN }];
   const found = differences(rows, (t) => ({ t, x: 1 + t, v: t, a: 0 }));
-  assert.deepEqual(found, [{ column: "x", most: 2, t: 1 }, { column: "v", most: 0, t: 1 }]);
+  assert.deepEqual(found, [{ column: "x", most: 2, t: 1, size: 2 }, { column: "v", most: 0, t: 1, size: 1 }]);
 });
 
 test("numbers follow the language and sentences take their values", () => {

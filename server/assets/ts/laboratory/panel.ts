@@ -254,9 +254,9 @@ export class Panel {
     const rows = read(text);
     const found = Array.isArray(rows) ? differences(rows, (t) => this.row(t)) : [];
     const said = Array.isArray(rows)
-      ? found.map(({ column, most, t }) => {
+      ? found.map(({ column, most, t, size }) => {
           const unit = { x: "m", v: "m/s", a: "m/s\u00b2" }[column];
-          const told = { column, most: this.numbers.shown(most, decimals(most || 1, 3), unit), time: this.numbers.shown(t, decimals(this.machine.span, 3), "s") };
+          const told = { column, most: this.numbers.shown(most, decimals(Math.max(most, size / 1e4) || 1, 3), unit), time: this.numbers.shown(t, decimals(this.machine.span, 3), "s") };
           return filled(this.words["difference"]!, told);
         })
       : [filled(this.words["bad_line"]!, { line: String(rows.line) })];

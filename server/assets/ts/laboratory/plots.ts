@@ -8,6 +8,7 @@ export type Kind = (typeof KINDS)[number];
 export const UNITS: Record<Kind, string> = { position: "m", velocity: "m/s", acceleration: "m/s\u00b2" };
 const SECTIONS: Record<Kind, string> = { position: "7", velocity: "10", acceleration: "10" };
 const [LEFT, RIGHT, TOP, BOTTOM, HEIGHT] = [58, 552, 10, 104, 132];
+const CLEAR = 18; // of the nought at the axis, for a value beside it
 
 /** The least and the largest of curves; zero always belongs. */
 export function extremes(...curves: (readonly number[])[]): [number, number] {
@@ -46,7 +47,7 @@ export class Plot {
     const way = (curve: readonly number[]): string =>
       path(curve.map((value, k) => [LEFT + ((RIGHT - LEFT) * k) / (curve.length - 1), y(value)] as const));
     const places = decimals(high - low, 2);
-    const ends = [low, high].filter((value) => value !== 0);
+    const ends = [low, high].filter((value) => Math.abs(y(value) - y(0)) > CLEAR);
     const shapes: Shape[] = [
       ["path", { class: "f-thin", d: `M${LEFT} ${TOP}V${BOTTOM}M${LEFT} ${y(0).toFixed(1)}H${RIGHT}` }],
       ["text", { class: "n", x: LEFT - 6, y: (y(0) + 4).toFixed(1), "text-anchor": "end" }, "0"],

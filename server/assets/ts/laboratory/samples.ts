@@ -7,13 +7,16 @@ export interface Row {
   a: number;
 }
 
+/** The largest difference in a column, the moment it comes, and the largest value of ours beside which it is told. */
 export interface Difference {
   column: "x" | "v" | "a";
   most: number;
   t: number;
+  size: number;
 }
 
 const COLUMNS = ["t", "x", "v", "a"] as const;
+const UNKNOWN = /^\s*(nan)?\s*$/i; // how programs leave a value out
 const MOST_ROWS = 5000;
 const LONGEST = 500_000; // characters
 
@@ -37,9 +40,10 @@ export function read(text: string): Row[] | { line: number } {
   for (const [at, line] of lines.entries()) {
     if (at === 0 || line.trim() === "") continue;
     const cells = line.split(mark);
-    const of = (name: string): number => (names.includes(name) ? number(cells[names.indexOf(name)] ?? "") : NaN);
-    const row = { t: of("t"), x: of("x"), v: of("v"), a: of("a") };
-    if (!Number.isFinite(row.t) || rows.length === MOST_ROWS) return { line: at + 1 };
+    const cell = (name: string): string => (names.includes(name) ? (cells[names.indexOf(name)] ?? "") : "");
+    const row = { t: number(cell("t")), x: number(cell("x")), v: number(cell("v")), a: number(cell("a")) };
+    const known = (name: (typeof COLUMNS)[number]): boolean => Number.isFinite(row[name]) || UNKNOWN.test(cell(name));
+    if (!Number.isFinite(row.t) || !COLUMNS.every(known) || rows.length === MOST_ROWS) return { line: at + 1 };
     rows.push(row);
   }
   return rows.length === 0 ? { line: 2 } : rows;
@@ -57,7 +61,10 @@ export function differences(rows: readonly Row[], ours: (t: number) => Row): Dif
     const own = ours(row.t);
     for (const column of ["x", "v", "a"] as const) {
       const most = Math.abs(row[column] - own[column]);
-      if (Number.isFinite(most) && most >= (found.get(column)?.most ?? 0)) found.set(column, { column, most, t: row.t });
+      if (!Number.isFinite(most)) continue;
+      const last = found.get(column) ?? { column, most: 0, t: row.t, size: 0 };
+      const size = Math.max(last.size, Math.abs(own[column]));
+      found.set(column, most >= last.most ? { column, most, t: row.t, size } : { ...last, size });
     }
   }
   return (["x", "v", "a"] as const).flatMap((column) => found.get(column) ?? []);
