@@ -90,7 +90,7 @@ def _compounds(table: dict[str, Unit]) -> dict[str, tuple[Unit, Unit]]:
 
 TABLE = _table()
 COMPOUNDS = _compounds(TABLE)
-RARE = tuple(prefix + "rad" for prefix in PREFIXES if prefix not in ("", "m"))  # grad means another unit than Grad
+RARE = tuple(prefix + "rad" for prefix in PREFIXES if prefix)  # grad means another unit than Grad
 NAMES = spellings({name: name for name in (*TABLE, *COMPOUNDS) if name not in RARE})
 WORDS = dict(words())
 WHOLE = {"r/min": "rpm"}  # a lone r may be rad as well
