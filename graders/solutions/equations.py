@@ -85,12 +85,13 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
             return UNDECIDED
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Factor:
-    """A factor of a side: zero there, the whole is."""
+    """A factor of a side: zero there, the whole is; the symbols in which it is affine, once they are asked for."""
 
     side: Side
     tree: Tree
+    affine: list[int] | None = None
 
 
 class Pair:
@@ -216,9 +217,11 @@ class Pair:
 
     def _affine(self, factor: Factor) -> list[int]:
         """Give the symbols in which a factor is affine as it is written, the unknown first."""
-        found = degrees(factor.tree, self._lines)
-        symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
-        return sorted(symbols, key=lambda at: at != self.unknown)
+        if factor.affine is None:
+            found = degrees(factor.tree, self._lines)
+            symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
+            factor.affine = sorted(symbols, key=lambda at: at != self.unknown)
+        return factor.affine
 
     def _solved(self, which: int) -> Iterator[Zero]:
         """Give zeros where a factor of a side is affine in the unknown."""
@@ -236,7 +239,7 @@ class Pair:
         others, count = [at for at in used if at != self.unknown], 0
         symbols, moving = self._affine(factor), ((self.unknown,), used, others)
         yield from self._in_branches(factor, symbols)
-        affine = [at for at in symbols if at in others]
+        affine = [at for at in symbols if at in others or at == self.unknown]
         left = []
         for k, start in enumerate(islice(extreme(self.scene), STARTS)):
             zero = self._beside(factor.side, start, affine)
@@ -274,4 +277,9 @@ class Pair:
         bases = [[float(x) for x in zero.point] for zero in known[:: max(1, len(known) // SCANNED)]]
         bases = bases[:SCANNED] or [list(point) for point in self.scene.points[: 2 * SCANNED]]
         for base, factor in product(bases, self.factors[which]):
-            yield from islice(scanned(Line(factor.side, base, self.unknown)), MOST)
+            line = Line(factor.side, base, self.unknown)
+            if self.unknown in self._affine(factor):  # it has one zero at most
+                only = crossing(line)
+                yield from [only] if only is not None else []
+            else:
+                yield from islice(scanned(line), MOST)

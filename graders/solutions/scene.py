@@ -164,13 +164,18 @@ class Residuals:
     def some(self, point: Sequence[arb], outputs: tuple[int, ...]) -> list[arb] | None:
         """Enclose some residuals; None where one of them is not proved to exist."""
         self.effort.spend(self.cost)
-        self._asked[outputs] += 1
-        values = self._together(point, outputs) if self._asked[outputs] <= TOGETHER else None
+        runner = self._balls.get((ctx.prec, outputs))
+        if runner is None:
+            self._asked[outputs] += 1
+            values = self._together(point, outputs) if self._asked[outputs] <= TOGETHER else None
+            if values is not None:
+                return values if all(value.is_finite() for value in values) else None
+            runner = self._runner(outputs)
         try:
-            values = values or self._runner(outputs).run(point)
+            values = runner.run(point)
         except (ArithmeticError, ValueError, TypeError):
             return None
-        return values if all(value.is_finite() for value in values) else None
+        return values if all([value.is_finite() for value in values]) else None
 
     def _together(self, point: Sequence[arb], outputs: tuple[int, ...]) -> list[arb] | None:
         """Enclose some residuals by a run of all; a program of their own pays only where they are asked for often."""

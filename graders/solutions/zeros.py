@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from flint import arb
 
-from graders.solutions.scene import Side, exact, moved
+from graders.solutions.scene import Side, exact
 
 NODES = 65
 DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
@@ -38,10 +38,15 @@ class Line:
     base: Sequence[float]
     at: int
     index: int = 0
+    exactly: list[arb] = field(init=False)  # its points, but for the symbol
+
+    def __post_init__(self) -> None:
+        self.exactly = list(exact(tuple(self.base)))
 
     def ball(self, x: arb) -> arb | None:
         """Enclose the value at a place."""
-        return self.side.ball(moved(exact(tuple(self.base)), self.at, x), self.index)
+        self.exactly[self.at] = x
+        return self.side.ball(self.exactly, self.index)
 
     def double(self, x: float) -> float:
         """Give the value in doubles; NaN where it has none."""
@@ -57,7 +62,8 @@ class Line:
 
     def zero(self, x: arb) -> Zero:
         """Give the zero at a place."""
-        return Zero(tuple(moved(exact(tuple(self.base)), self.at, x)), (self.at,))
+        self.exactly[self.at] = x
+        return Zero(tuple(self.exactly), (self.at,))
 
 
 @dataclass(frozen=True, slots=True)
