@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from flint import arb
@@ -31,6 +32,7 @@ WORK = 1200  # operations and comparisons of all cases together
 CHOOSING = frozenset(("abs", "macaulay", "min", "max", "sign"))
 ALWAYS = frozenset(("root", "sign", "atan2", "macaulay", "atan", "acot"))  # drawn also where they do not turn
 EXPONENTIAL = EXPONENTS | {"^"}
+ENDING = frozenset(("/", "tan", "cot", "macaulay", "log_base"))  # these may end where nothing turns
 UNENDED = CHOOSING | EXPONENTS | {"atan", "acot"}  # these have a value everywhere
 BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
 SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
@@ -331,14 +333,22 @@ class Cases:
         pairs = zip(case.slots[right], case.slots[typed], strict=True)
         if right != typed and not all(_same(a, b, self.share) for a, b in pairs):
             return False
-        one, other = needed(self.program, (right, *self.lines)), needed(self.program, (typed,))
+        one, other = self._sides
         return self._end_too(other - one, one, case) and (not self.mutual or self._end_too(one - other, other, case))
+
+    @cached_property
+    def _sides(self) -> tuple[set[int], set[int]]:
+        """Give the slots of either side whose functions may end."""
+        right, typed = self.program.outputs
+        ending = {slot for slot, (name, _) in self.operations if name in ENDING or slot in self.turning}
+        sides = ((right, *self.lines), (typed,))
+        one, other = ([] if not ending else needed(self.program, side) for side in sides)
+        return ending.intersection(one), ending.intersection(other)
 
     def _end_too(self, alone: set[int], others: set[int], case: Case) -> bool:
         """Tell whether one side ends wherever the other does because of what stands in that alone."""
-        first = len(self.program.inputs)
-        places = [slot for slot in alone if slot >= first and slot not in case.squares and self._ends(slot, case)]
-        return all(any(self._ends_alike(slot, other, case) for other in others if other >= first) for slot in places)
+        places = [slot for slot in alone if slot not in case.squares and self._ends(slot, case)]
+        return all(any(self._ends_alike(slot, other, case) for other in others) for slot in places)
 
     def _ends(self, slot: int, case: Case) -> bool:
         """Tell whether a slot may have no value on a stretch."""

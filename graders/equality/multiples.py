@@ -9,6 +9,8 @@ from flint import arb
 
 from graders.equality.deciding import SMALL
 from graders.equality.signs import Column
+from graders.equality.turns import needed
+from graders.language.program import Program
 
 AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at the ends of domains
     "sqrt": ((0, lambda: arb(0)),),
@@ -17,12 +19,31 @@ AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at 
 }
 
 
+ANGLES = {"asin": "asin", "acos": "asin", "atan": "atan", "acot": "atan", "atan2": "atan2"}
+
+
 class Known(NamedTuple):
     """A function for which a number was drawn: its kind, its arguments, the number."""
 
     kind: str
     arguments: Sequence[Column]
     value: Column
+
+
+def of_other_angles(program: Program) -> bool:
+    """Tell whether the two outputs hold angles of other kinds: numbers drawn for them agree by chance alone."""
+    if ANGLES.keys().isdisjoint(name for name, _ in program.operations):
+        return False
+    start, sides = len(program.inputs), [needed(program, (output,)) for output in program.outputs]
+    kinds = [
+        {
+            kind
+            for slot, (name, _) in enumerate(program.operations, start)
+            if slot in side and (kind := ANGLES.get(name))
+        }
+        for side in sides
+    ]
+    return all(kinds) and kinds[0] != kinds[1]
 
 
 def at_edge(name: str, column: Column) -> Any:

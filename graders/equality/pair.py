@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from graders.equality.cases import Cases
 from graders.equality.deciding import PRECISIONS, Balls, Finding, fineness
+from graders.equality.multiples import of_other_angles
 from graders.equality.probing import Row, Search, all_met, looks, open_turns
 from graders.equality.steep import may_be_steep, steep, summits
 from graders.equality.turns import TURNING, Joint, Turn, together, turning, turns
@@ -200,7 +201,7 @@ class Pair:
     def _in_every_case(self) -> Comparison | None:
         """Give equality that does not hang on what turns or is steep."""
         points, turned = self.points[:CASES], self.turned
-        if len(set(points)) < CASES or self.balls.at(points[0]) is not Finding.EQUAL:
+        if len(set(points)) < CASES or of_other_angles(self.program) or self.balls.at(points[0]) is not Finding.EQUAL:
             return None
         turning, fine = turned.functions | turned.steep, self.balls.fine
         cases = Cases(self.program, self.lines, points, turned.slots, turned.signed, turning, self.mutual, fine)

@@ -150,9 +150,16 @@ class Search:
         alone = self.program.only(*slots)
         doubles, intervals = Runner(alone, DOUBLES), list[Runner]()
 
+        run, output = doubles.slots, doubles.outputs[0]
+
         def value(point: Point) -> float:
-            values = look(doubles, point)
-            return values[0] if way is itself else way([(one, one) for one in values])[0]
+            try:
+                return float(run(point)[output])
+            except (ValueError, ArithmeticError, TypeError):
+                return look(doubles, point)[0]
+
+        def values(point: Point) -> float:
+            return way([(one, one) for one in look(doubles, point)])[0]
 
         def bounds(box: Box) -> Interval:
             if not intervals:  # most zeros are found without
@@ -161,7 +168,9 @@ class Search:
 
         state = self._state() if guarded else every
         size, work = 1 + len(alone.operations), WORK if deep else LESS_WORK
-        return Part(value, state, bounds, self.box, ends(self.box), alone.moving, size, work, deep)
+        return Part(
+            value if way is itself else values, state, bounds, self.box, ends(self.box), alone.moving, size, work, deep
+        )
 
     def _state(self) -> Callable[[Point], bool]:
         """Make a test that tells in doubles whether a point is a state."""

@@ -139,9 +139,13 @@ class Part:
         return best
 
     def _better(self, best: Found, at: int, place: float, sign: float) -> Found:
-        point = self._moved(best[1], at, place)
-        if point[at] == best[1][at]:
+        (low, high), here = self.ends[at], best[1]
+        inside = low if place < low else high if place > high else place
+        if self.box[at].integer:
+            inside = float(round(inside))
+        if inside == here[at]:
             return best
+        point = (*here[:at], inside, *here[at + 1 :])
         found = sign * self.value(point)
         return (found, point) if found < best[0] and self.state(point) else best
 

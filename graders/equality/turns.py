@@ -57,7 +57,8 @@ def turns(builder: Builder, right: Sequence[int], typed: int) -> list[Turn]:
         for slot in _turning(builder, operation, wraps):
             old = found.get(slot, Turn(slot, False, False, False))
             one, other = (at in side for side in sides)
-            found[slot] = Turn(slot, old.edge or operation[0] in ENDING, old.right or one, old.typed or other)
+            edge = operation[0] in ENDING or (operation[0] == "macaulay" and slot == operation[1][1])
+            found[slot] = Turn(slot, old.edge or edge, old.right or one, old.typed or other)
     return list(found.values())
 
 
@@ -130,6 +131,8 @@ def turning(builder: Builder, count: int, open_slots: Collection[int]) -> frozen
 
 def _turning(builder: Builder, operation: Operation, wraps: bool) -> tuple[int, ...]:
     name, arguments = operation
+    if name == "macaulay" and arguments[1] >= 0:  # there is no value where its order is negative
+        return arguments
     if name in BRANCHES or name in EDGES:
         return arguments[:1]
     if name in ("min", "max"):

@@ -67,6 +67,7 @@ def test_what_is_equal_in_every_case_needs_no_search(a: str, b: str, monkeypatch
         ("root(exp(100*c*r); 3)", "root(exp(100*c*r); 3) + 1e-6*<2*z - 0.95>^1"),
         ("r + 0*ln(<-z>^2)", "r"),
         ("abs(c*z)", "abs(c)*z"),
+        ("r + <x - 2>^1", "r + <x - 2>^c"),
         ("sign(<sin(2/r)>^1)", "sign(<2*sin(1/x)*cos(1/x)>^1)"),
         ("max(0; min(1; c))", "<c>^1 - <c - 1.0001>^1"),
         ("r + 0*atan2(<z>^1; <z>^1)", "r"),
