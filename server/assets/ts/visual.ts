@@ -53,6 +53,7 @@ function asOneStop(visual: MathfieldElement, help: string): void {
   const typed = visual.shadowRoot?.querySelector("[part='keyboard-sink']");
   typed?.setAttribute("inputmode", "text");
   typed?.setAttribute("aria-description", help);
+  visual.shadowRoot?.querySelector("[aria-live]")?.setAttribute("lang", "en"); // it speaks no other language
   visual.removeAttribute("tabindex"); // the element and what stands in it would be two stops
   visual.menuItems = [];
 }
