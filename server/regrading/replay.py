@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -102,41 +102,50 @@ class Repair:
 
 @dataclass(frozen=True, slots=True)
 class Replayed:
-    """What came of a batch: how many of each effect, what differs, and the grades and references to be kept."""
+    """What came of a batch: how many of each effect by person, what differs, the grades and references to be kept."""
 
-    counts: Mapping[str, int]
+    tallies: Mapping[str | None, Mapping[str, int]]
     changes: tuple[Mapping[str, Any], ...]
     grades: tuple[NewGrade, ...]
     repairs: tuple[Repair, ...] = ()
     erased: frozenset[str] = frozenset()
 
+    @property
+    def counts(self) -> dict[str, int]:
+        """How many submissions were judged and to what effect, and how many references were computed anew."""
+        found = Counter[str](dict.fromkeys((*(effect.value for effect in Effect), "stale", "judged"), 0))
+        for tally in self.tallies.values():
+            found.update(tally)
+        return dict(found) | {"recomputed": len(self.repairs)}
+
     def without(self, people: frozenset[str]) -> Replayed:
         """Leave out what is said of some people."""
+        tallies = {person: tally for person, tally in self.tallies.items() if person not in people}
         theirs = {change["receipt"] for change in self.changes if change["person"] in people}
         changes = tuple(change for change in self.changes if change["receipt"] not in theirs)
-        return replace(self, changes=changes, grades=tuple(one for one in self.grades if one.receipt not in theirs))
+        grades = tuple(one for one in self.grades if one.receipt not in theirs)
+        return replace(self, tallies=tallies, changes=changes, grades=grades)
 
 
 def replay(secret: bytes, lot: Lot) -> Replayed:
     """Judge a batch again."""
-    counts = Counter[str]({effect.value: 0 for effect in Effect} | {"stale": 0, "judged": 0, "recomputed": 0})
+    tallies: dict[str | None, Counter[str]] = defaultdict(Counter)
     changes, grades = [], []
     rules = Rules.model_validate(lot.rules)
     repairs = {one.card: one for one in map(_repaired, lot.cards) if one} if lot.recompute else {}
-    counts["recomputed"] = len(repairs)
     for dealt in lot.cards:
         repair = repairs.get(dealt.card)
         card = replace(dealt, reference=repair.reference) if repair else dealt
         for work, new, stale in _judged(secret, card, rules):
             found = difference(work.grade, new, lot.allow_lower)
-            counts.update({found.effect.value: 1, "stale": int(stale), "judged": 1})
+            tallies[card.person].update({found.effect.value: 1, "stale": int(stale), "judged": 1})
             if found.effect is not Effect.SAME:
                 told = asdict(found) | {"receipt": work.receipt, "person": card.person, "slot": card.slot}
                 versions = {"old": work.version, "new": new["grader_version"], "exercise": card.stored["version"]}
                 changes.append(told | {"versions": versions | {"installed": _installed(card)}, "stale": stale})
             if found.in_force:
                 grades.append(NewGrade(work.receipt, new, new["grader_version"], work.counted, found.effect.value))
-    return Replayed(dict(counts), tuple(changes), tuple(grades), tuple(repairs.values()), lot.erased)
+    return Replayed(tallies, tuple(changes), tuple(grades), tuple(repairs.values()), lot.erased)
 
 
 def _repaired(card: Dealt) -> Repair | None:

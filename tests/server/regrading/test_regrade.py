@@ -11,8 +11,9 @@ import pytest
 from sqlalchemy import insert, select, update
 
 from server.database import Database, regrades
+from server.personal import erased
 from server.settings import Settings
-from server.tables import audit, deck, grades, marks, persons, task_sets
+from server.tables import audit, deck, grades, marks, task_sets
 from tests.server.jobs.counting import Here
 from tests.server.regrading.classroom import STUDENTS, Class, first_grades, other_grade, published
 from tests.server.sets.classroom import NOW, SET, enrol
@@ -88,25 +89,34 @@ def test_a_lower_score_is_told_but_stays_away_unless_it_is_allowed(school: Class
     assert [row["grade"]["score"] for row in school.grades("bob")] == [1.0, first["grade"]["score"]]
 
 
+@pytest.fixture
+def small(store_url: str) -> Iterator[Class]:
+    """A class of the own, for what cannot be undone."""
+    enrol(store_url, STUDENTS)
+    database = Database(store_url)
+    yield Class(store_url, database, asyncio.run(published(store_url, database)))
+    database.close()
+
+
 def test_who_is_erased_between_the_reading_and_the_writing_gets_no_new_grade(
-    school: Class, monkeypatch: pytest.MonkeyPatch
+    small: Class, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """So it is with what was read of them only: who was erased before is judged by what is left."""
+    school, store = small, small.database
     for who in ("anna", "bob"):
         (first,) = school.grades(who)
         older = other_grade(first["grade"], 0.1)
         school.do(update(grades).where(grades.c.submission == who).values(grade=older, grader_version="0"))
-    erased = update(persons).values(erased=NOW)
-    school.do(erased.where(persons.c.id == "bob"))
+    asyncio.run(erased(store.people, store.personal, "bob", "lecturer"))
 
     async def meanwhile(judging: Here, compute: Any, tasks: Sequence[Any]) -> list[Any]:
-        school.do(erased.where(persons.c.id == "anna"))
+        await erased(store.people, store.personal, "anna", "lecturer")
         return [compute(*task) for task in tasks]
 
     monkeypatch.setattr(Here, "apart", meanwhile)
     job = school.regraded()
-    school.do(update(persons).values(erased=None))
     assert [change["person"] for change in school.changes(job)] == ["bob"]
+    assert {**job.result, "judged": 2, "raised": 1, "same": 1} == job.result and sum(job.result.values()) == 4
     assert (len(school.grades("anna")), len(school.grades("bob"))) == (1, 2)
 
 
