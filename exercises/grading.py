@@ -11,13 +11,12 @@ from typing import Any
 from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
 from exercises.solving import NO_SECRET, Kept, Lines, Solved, evaluate
-from exercises.variants import Predictions, misread, modes, slips, unasked
+from exercises.variants import Predictions, in_mode, misread, modes, slipped, slips, unasked
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.common_slips import CommonSlip, Slips, agrees, is_right, likeliest, slips_of
-from graders.language import Tree, parse_line
+from graders.language import Tree
 from graders.language.doubles import UndefinedError
 from graders.language.notes import notes_of
-from graders.line_slips import slips_in
 from graders.plausible import plausible
 from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
 
@@ -299,16 +298,14 @@ class Seen:
         own = self.judged.own.get(name)
         if own:
             found |= slips_of(grader, answer, own[step])
-        return found | self._in_its_line(name, own or self.solved.values)
+        return found | self._in_its_line(name, step, own)
 
-    def _in_its_line(self, name: str, values: Mapping[str, Value]) -> Slips:
+    def _in_its_line(self, name: str, step: str, own: Mapping[str, Value] | None) -> Slips:
         """Give the slips in the line of a step that lead to an answer."""
-        line = self.solved.steps[self.solved.step_of(name)]
         found = set[CommonSlip]()
-        for slip, changed in slips_in(parse_line(line)) if isinstance(line, str) else ():
-            with suppress(UndefinedError):
-                if slip not in found and self._agrees(name, evaluate(changed, values)):
-                    found.add(slip)
+        for slip, value in slipped(self.solved, step, own):
+            if slip not in found and self._agrees(name, value):
+                found.add(slip)
         return frozenset(found)
 
     def beside(self, expected: Predictions, missed: Iterable[str]) -> Iterator[Slips]:
@@ -329,20 +326,18 @@ class Seen:
 
     def in_the_other_mode(self) -> bool:
         """Tell whether every wrong answer comes from sines and cosines in degrees for radians, or the other way."""
-        return any(all(self._by_mode(name, lines) for name in self.off) for lines in modes(self.solved))
+        return any(all(self._by_mode(name, *mode) for name in self.off) for mode in modes(self.solved))
 
-    def _by_mode(self, name: str, lines: Lines) -> bool:
+    def _by_mode(self, name: str, lines: Lines, factor: float) -> bool:
         step = self.solved.step_of(name)
         if self.solved.answers[name].symbolic or step not in lines:
             return False
-        sources = ({step: lines[step]}, lines)
-        own = self.judged.own.get(name)
+        found, own = in_mode(self.solved, lines, factor, step), self.judged.own.get(name)
         try:
-            found = [self.solved.again(replaced=source)[step] for source in sources]
-            found += [evaluate(lines[step], own)] if own is not None else []
+            followed = [evaluate(lines[step], own)] if found and own is not None else []
         except UndefinedError:
             return False
-        return any(self._agrees(name, value) for value in found)
+        return any(self._agrees(name, value) for value in (*found, *followed))
 
     def led_by(self, slip: CommonSlip, name: str, line: Tree, chosen: Mapping[str, Value | Tree]) -> bool:
         """Tell whether one line, or a given that is misread, leads to every answer.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import chain
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 from exercises import catalogue
 from exercises.exercise import AnyExercise, Line, Steps, Variant
@@ -23,6 +23,7 @@ from graders.language.tree import Grid
 from graders.language.tree import names as names_in
 from graders.states import drawn
 
+T = TypeVar("T")
 Kept: TypeAlias = tuple[tuple[str, Value], ...]
 SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
@@ -123,6 +124,7 @@ class Solved:
     _start: dict[str, Value] = field(init=False)
     _formulas: Formulas = field(init=False)
     _below: dict[str, frozenset[str]] = field(init=False, default_factory=dict)
+    _known: dict[tuple[Hashable, ...], Any] = field(init=False, default_factory=dict)
 
     def __post_init__(self) -> None:
         givens = self.variant.givens
@@ -135,6 +137,13 @@ class Solved:
     def again(self, replaced: Lines | None = None, fixed: Mapping[str, Value | Tree] | None = None) -> dict[str, Value]:
         """Solve the variant with some lines replaced or some steps fixed; as `solve`."""
         return _solve(self.steps, self._start, replaced or {}, fixed or {})
+
+    def once(self, compute: Callable[[], T], *key: Hashable) -> T:
+        """Compute something of this variant under a name, and give it again after that: many answer the same card."""
+        if key not in self._known:
+            self._known[key] = compute()
+        found: T = self._known[key]
+        return found
 
     def onward(self, name: str, value: Value, until: str) -> dict[str, Value]:
         """Change a given or a step, and solve again what stands on it, up to a step; raises UndefinedError."""

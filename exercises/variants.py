@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from functools import lru_cache
 from itertools import zip_longest
 from math import pi
@@ -14,7 +15,7 @@ from exercises.exercise import AnyExercise, Variant
 from exercises.givens import Json, domains
 from exercises.givens import dump as dump_givens
 from exercises.givens import restore as restore_givens
-from exercises.solving import Lines, Solved
+from exercises.solving import Lines, Solved, evaluate
 from graders import Value
 from graders.common_slips import CommonSlip
 from graders.language import Tree, parse_line
@@ -100,6 +101,13 @@ def slips(solved: Solved, chosen: Mapping[str, Value | Tree] = NOTHING_CHOSEN) -
         solved: The variant.
         chosen: Right answers of the student in which he chose freely (frames of a chain), by their step.
     """
+    if chosen:
+        yield from _slips(solved, chosen)
+    else:
+        yield from solved.once(lambda: tuple(_slips(solved, chosen)), "slips")
+
+
+def _slips(solved: Solved, chosen: Mapping[str, Value | Tree]) -> Iterator[tuple[str, Predictions]]:
     for name, mistake in solved.exercise.mistakes.items():
         lines = mistake.lines(solved.variant.givens)
         if not lines:
@@ -110,13 +118,41 @@ def slips(solved: Solved, chosen: Mapping[str, Value | Tree] = NOTHING_CHOSEN) -
             continue
 
 
-def modes(solved: Solved) -> Iterator[Lines]:
-    """Write the steps as a calculator does them that is set to radians where degrees are typed, and the other way."""
+def slipped(
+    solved: Solved, step: str, own: Mapping[str, Value] | None
+) -> Iterable[tuple[CommonSlip, Value]]:  # fmt: skip
+    """Give what the line of a step leads to with a slip in one place, from own earlier values or the right ones."""
+    if own:
+        return _slipped(solved, step, own)
+    return solved.once(lambda: tuple(_slipped(solved, step, solved.values)), "slipped", step)
+
+
+def _slipped(solved: Solved, step: str, values: Mapping[str, Value]) -> Iterator[tuple[CommonSlip, Value]]:
+    line = solved.steps[step]
+    for slip, changed in slips_in(parse_line(line)) if isinstance(line, str) else ():
+        with suppress(UndefinedError):
+            yield slip, evaluate(changed, values)
+
+
+def in_mode(solved: Solved, lines: Lines, factor: float, step: str) -> tuple[Value, ...]:
+    """Give the value of a step where it alone, and where all lines are done in the other mode; none without a value."""
+
+    def values() -> tuple[Value, ...]:
+        with suppress(UndefinedError):
+            return tuple(solved.again(replaced=source)[step] for source in ({step: lines[step]}, lines))
+        return ()
+
+    return solved.once(values, "mode", factor, step)
+
+
+def modes(solved: Solved) -> Iterator[tuple[Lines, float]]:
+    """Write the steps as a calculator does them that is set to radians where degrees are typed, and the other way; with
+    the factor of the angles."""
     for factor in (180 / pi, pi / 180):
         turned = {name: _in_mode(line, factor) for name, line in solved.steps.items() if isinstance(line, str)}
         lines = {name: tree for name, tree in turned.items() if tree is not None}
         if lines:
-            yield lines
+            yield lines, factor
 
 
 @lru_cache(maxsize=2048)

@@ -52,6 +52,13 @@ class Difference:
     new: float
     answers: tuple[Answer, ...]
 
+    def told(self) -> dict[str, Json]:
+        """Give all of it as JSON values."""
+        answers: list[Json] = [
+            {"name": one.name, "old": _plain(one.old), "new": _plain(one.new)} for one in self.answers
+        ]
+        return {"effect": self.effect.value, "old": self.old, "new": self.new, "answers": answers}
+
     @property
     def in_force(self) -> bool:
         """Whether the new grade is to take the place of the old one."""
@@ -70,6 +77,10 @@ def difference(old: Grade, new: Grade, allow_lower: bool) -> Difference:
     both = ((name, old["verdicts"].get(name), new["verdicts"].get(name)) for name in names)
     answers = tuple(Answer(name, _said(one), _said(other)) for name, one, other in both if one != other)
     return Difference(_effect(old, new, allow_lower), old["score"], new["score"], answers)
+
+
+def _plain(said: Said | None) -> Json:
+    return None if said is None else {"outcome": said.outcome, "code": said.code, "score": said.score}
 
 
 def _effect(old: Grade, new: Grade, allow_lower: bool) -> Effect:

@@ -6,7 +6,7 @@ import json
 import logging
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from exercises import catalogue, grading, verifying
@@ -140,7 +140,7 @@ def replay(secret: bytes, lot: Lot) -> Replayed:
             found = difference(work.grade, new, lot.allow_lower)
             tallies[card.person].update({found.effect.value: 1, "stale": int(stale), "judged": 1})
             if found.effect is not Effect.SAME:
-                told = asdict(found) | {"receipt": work.receipt, "person": card.person, "slot": card.slot}
+                told = found.told() | {"receipt": work.receipt, "person": card.person, "slot": card.slot}
                 versions = {"old": work.version, "new": new["grader_version"], "exercise": card.stored["version"]}
                 changes.append(told | {"versions": versions | {"installed": _installed(card)}, "stale": stale})
             if found.in_force:
