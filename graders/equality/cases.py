@@ -20,8 +20,7 @@ from flint import arb
 from graders.equality.deciding import PRECISIONS, Finding, exactly, share_of, zero
 from graders.equality.multiples import Known, at_edge, multiple
 from graders.equality.signs import Column, Screened, Signed, implied, screened
-from graders.equality.steep import EXPONENTS
-from graders.equality.turns import needed
+from graders.equality.turns import EXPONENTS, needed
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
 from graders.language.intervals import ALL, INTERVALS, Interval, side_of_zero

@@ -7,8 +7,7 @@ from collections.abc import Mapping, Sequence
 from graders.equality.comparing import between, spread_over
 from graders.equality.deciding import PRECISIONS, Finding, exactly, fineness, share_of, zero
 from graders.equality.pair import EQUAL, FEW, MOST_TURNS, Comparison, Pair, few
-from graders.equality.steep import may_be_steep
-from graders.equality.turns import TURNING
+from graders.equality.turns import TURNING, may_be_steep
 from graders.judge import Domain, Formula, States
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError

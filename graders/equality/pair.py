@@ -12,8 +12,8 @@ from graders.equality.cases import Cases
 from graders.equality.deciding import PRECISIONS, Balls, Finding, fineness
 from graders.equality.multiples import of_other_angles
 from graders.equality.probing import Row, Search, all_met, looks, open_turns
-from graders.equality.steep import may_be_steep, steep, summits
-from graders.equality.turns import TURNING, Joint, Turn, together, turning, turns
+from graders.equality.steep import steep, summits
+from graders.equality.turns import TURNING, Joint, Turn, may_be_steep, together, turning, turns
 from graders.judge import Domain, Formula
 from graders.language.doubles import DOUBLES, domain_test
 from graders.language.intervals import Interval

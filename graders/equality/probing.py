@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 from graders.equality.inside import one_signed
 from graders.equality.sides import Box, Found, Part, ends, whole
-from graders.equality.turns import Joint, Turn
+from graders.equality.turns import Joint, Turn, may_be_steep
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
 from graders.language.intervals import INTERVALS, Interval, side_of_zero
@@ -61,8 +61,11 @@ def open_turns(
     Beside them the ranges of all slots, and the slots that have one sign inside.
     """
     slots = Runner(program, INTERVALS).slots(whole(box))
+    found = [turn for turn in turns if _open(turn, slots[turn.slot])]
+    if not found and not any(may_be_steep(name) for name, _ in program.operations):
+        return [], slots, frozenset()  # nobody asks for signs
     signed = one_signed(program, slots, box)
-    return [turn for turn in turns if turn.slot not in signed and _open(turn, slots[turn.slot])], slots, signed
+    return [turn for turn in found if turn.slot not in signed], slots, signed
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,7 +191,8 @@ def all_met(turns: Sequence[Turn], groups: Sequence[Joint], rows: Sequence[Row],
     if any(turn.edge for turn in turns):
         return False
     states = [row for row in rows if math.isfinite(row[0]) or (mutual and math.isfinite(row[1]))]
-    columns = list(zip(*(row[2:] for row in states if all(row[2:])), strict=True))
+    told = [row[2:] for row in states if all(0 < abs(value) < math.inf for value in row[2:])]
+    columns = list(zip(*told, strict=True))
     apart = [column for at, column in enumerate(columns) if _first_tied(at, columns)[0] == at]
     met: set[tuple[bool, ...]] = set(zip(*([value > 0 for value in column] for column in apart), strict=True))
     if groups:

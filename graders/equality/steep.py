@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
-from functools import lru_cache
 from itertools import product
 
 from graders.equality.probing import look
+from graders.equality.turns import EXPONENTS, HIGH, may_be_steep
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
 from graders.language.intervals import Interval
 from graders.language.program import Program, Runner
 from graders.states import Point
 
-EXPONENTS = frozenset(("exp", "sinh", "cosh", "tanh"))
-STEEP = EXPONENTS | {"^"}
-HIGH = 12  # powers from which a product of small numbers is nothing
 WIDE = 30.0  # of an exponent: beyond, a summand may be less than 30 digits of another
 MOST = 6  # exponents that are followed
 LEAST_STEP, STILL = 1e-12, 12  # of a domain; steps without a gain behind which there is a summit
@@ -29,12 +26,6 @@ def steep(program: Program, slots: Sequence[Interval]) -> frozenset[int]:
         if may_be_steep(name)
         and not (slots and (_gentle(name, slots[arguments[0]], slots[slot]) or _low(name, slots[arguments[-1]])))
     )  # fmt: skip
-
-
-@lru_cache(maxsize=2048)
-def may_be_steep(name: str) -> bool:
-    """Tell whether an operation is an exponential or a high power."""
-    return name in STEEP or (name[:5] == "power" and int(name[5:]) >= HIGH)
 
 
 def _gentle(name: str, exponent: Interval, values: Interval) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 from typing import TypeAlias
 
@@ -17,8 +18,17 @@ SUMS = frozenset(("+", "-", "negate", "degrees"))  # what turns in their parts d
 MOST_GROUPS, LARGEST = 24, 3  # sets of turns that are kept apart, and the turns of one
 TURNING = BRANCHES | EDGES | WRAPPING | {"min", "max", "atan2", "asin", "acos", "^"}
 ENDING = EDGES | {"asin", "acos", "^"}
+EXPONENTS = frozenset(("exp", "sinh", "cosh", "tanh"))
+STEEP = EXPONENTS | {"^"}
+HIGH = 12  # powers from which a product of small numbers is nothing
 ONE = Number("1")
 Groups: TypeAlias = frozenset[frozenset[int]]
+
+
+@lru_cache(maxsize=2048)
+def may_be_steep(name: str) -> bool:
+    """Tell whether an operation is an exponential or a high power."""
+    return name in STEEP or (name[:5] == "power" and int(name[5:]) >= HIGH)
 
 
 @dataclass(frozen=True, slots=True)
