@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import AsyncIterator, Mapping
-from contextlib import asynccontextmanager, suppress
+from contextlib import asynccontextmanager, nullcontext, suppress
 from dataclasses import dataclass
 
 from server.jobs.tally import Tally, tallied
@@ -36,10 +36,10 @@ async def work(bureau: Bureau, batch: Batch) -> None:
     """
     kind = bureau.kinds[batch.kind]
     try:
-        with tallied() as tally:
+        with tallied() if kind.tells else nullcontext() as tally:
             async with _renewed(bureau.jobs, batch, tally):
                 given = await bureau.jobs.read(kind, batch)
-                told = (tally,) if kind.tells else ()
+                told = (tally,) if tally else ()
                 (outcome,) = await bureau.judging.apart(kind.compute, [(bureau.secret, given, *told)])
         await bureau.jobs.keep(kind, batch, outcome)
     except Fenced as refused:
@@ -62,7 +62,7 @@ async def _give_back(bureau: Bureau, batch: Batch) -> None:
 
 
 @asynccontextmanager
-async def _renewed(jobs: Jobs, batch: Batch, tally: Tally) -> AsyncIterator[None]:
+async def _renewed(jobs: Jobs, batch: Batch, tally: Tally | None) -> AsyncIterator[None]:
     renewing = asyncio.create_task(_renew(jobs, batch, tally))
     try:
         yield
@@ -72,16 +72,16 @@ async def _renewed(jobs: Jobs, batch: Batch, tally: Tally) -> AsyncIterator[None
             await renewing
 
 
-async def _renew(jobs: Jobs, batch: Batch, tally: Tally) -> None:
+async def _renew(jobs: Jobs, batch: Batch, tally: Tally | None) -> None:
     """Keep a batch and tell how far it is; one that is not ours any more is given up."""
     clock, period, told = asyncio.get_running_loop().time, jobs.lease / RENEWALS, 0
     due = clock() + period
     while True:
         await asyncio.sleep(min(LOOK, period))
-        reached = tally.read()
+        reached = tally.read() if tally else 0
         if reached == told and clock() < due:
             continue
         with suppress(StorageUnavailable):  # tried again; without luck others take the batch
             if not await jobs.renew(batch, reached):
-                return tally.drop()
+                return tally.drop() if tally else None
             told, due = reached, clock() + period

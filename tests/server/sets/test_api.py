@@ -294,7 +294,8 @@ def test_sheets_and_key_of_a_deck_carry_codes(course: Course) -> None:
     card, sheets, key = course.open(number).json(), course.lecturer.get(path), course.lecturer.get(f"{path}&key=true")
     seed = str(course.card(number).seed)
     assert card["code"] in sheets.text.replace("\\", "") and seed not in sheets.text + key.text
-    assert course.card(number).reference["texts"]["l3"] in key.text.replace("\\", "")
+    position = float(course.card(number).reference["texts"]["l3"].removesuffix(" mm"))
+    assert f" {position:.5g}\u202fmm" in key.text.replace("\\", "")
     assert course.student.get(path).status_code == 403
     assert code_of(course.lecturer.get(f"/api/v1/task-sets/{course.built()}/items/1/sheets.md")) == (
         409,
