@@ -21,6 +21,7 @@ from graders.verdict import Reading
 from graders.words import message, noted, printed_unit
 from server import ids
 from server.bench import Bench, Tools
+from server.echoes import breakable
 from server.errors import Failure, Refused, printable, unknown_variant
 from server.exercises import known
 from server.policy import CourseRole, Role, may_see_solution, may_see_variant
@@ -120,6 +121,7 @@ class Understood(BaseModel):
     `ok` tells which; positions are 0-based code points of the text as typed. `relations` holds the formulas of a
     polygon, of its derivatives or of an expression: a number, a name, or a list of an operation and its formulas; of a
     diagram it holds the `rows` of its table.
+    `mathml` is one `math` element, or several between which a line may break; an empty one ends a line.
     """
 
     ok: bool
@@ -331,7 +333,7 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
     mathml = (
         read.mathml.replace("</math>", f'<mspace width=".2em"/><mtext>{escape(unit)}</mtext></math>')
         if unit
-        else read.mathml
+        else breakable(read.mathml)
     )
     note = noted(read.notes, language) or None
     return Understood(
