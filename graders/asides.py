@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from graders.language.latex_reader import undollared
+from graders.language.symbols import Symbols, function_named, key
 from graders.language.tokens import LETTER
 
 FENCES = 4  # pairs of brackets around an amount that say nothing
@@ -16,6 +17,7 @@ ROUGHLY = re.compile(
     rf"((?:^|[=≈:])\s{{0,9}})((?:{'|'.join(ABOUT)})(?:\.\s{{0,3}}|\s{{1,3}})|[øØ⌀~]\s{{0,3}})(?=[-+−–.\d(\\√])",
     re.IGNORECASE,
 )
+NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
 TIE = re.compile(r"(?<=\d)~(?=[^\W\d])")  # 12~kN
 LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(?=\s{{0,9}}[-+−–.\d(\\√])")
 
@@ -29,6 +31,16 @@ def without_asides(text: str) -> str:
         found = found.removesuffix(mark).rstrip()
     found = _unfenced(found.ljust(len(text)))
     return found if found.strip() else text
+
+
+def without_label(text: str, symbols: Symbols) -> str:
+    """Blank out a name in front of `=` that means nothing here, `i = z2/z1` where the ratio is u; places stay."""
+    found = NAMED.match(text) if text.count("=") == 1 else None
+    name = found.group().strip(" =≈") if found else ""
+    meant = function_named(name) or key(name) == "pi" or symbols.find(name) or symbols.split(name[:24])
+    if found is None or (name and meant):
+        return text
+    return " " * found.end() + text[found.end() :]
 
 
 def _unfenced(text: str) -> str:

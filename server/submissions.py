@@ -26,7 +26,7 @@ from server.sets import handing
 from server.storage import Answers, Dealt, Marked
 from server.storage.marks import Mark
 from server.storage.sets import Line, Place
-from server.typed import Typed
+from server.typed import Typed, repeated_name
 from server.variants import GONE, restored, sees, visible
 
 KEY_LONGEST = 64
@@ -105,8 +105,12 @@ async def hand_in(
     idempotency_key: Annotated[str | None, Header(min_length=1, max_length=KEY_LONGEST, pattern="^[!-~ ]+$")] = None,
 ) -> Graded:  # fmt: skip
     """Hand in answers. With a key, the same request again gives the first response and stores nothing."""
-    body = ids.digest(await request.body())
-    done = await submit(bench, reader, variant, new.answers, idempotency_key, body)
+    raw = await request.body()
+    twice = repeated_name(raw)
+    if twice is not None:
+        name = printable(twice)
+        raise Refused(422, "repeated_name", field=name, name=name)
+    done = await submit(bench, reader, variant, new.answers, idempotency_key, ids.digest(raw))
     if done.around is None:
         response.status_code = 200
         return await graded(bench, done.marked, done.marked.handed.language)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
+import json
+from typing import Annotated, Any, TypeAlias
 
 from pydantic import AfterValidator, StrictStr
 from pydantic_core import PydanticCustomError
@@ -23,3 +24,16 @@ def sendable(text: str) -> str:
 
 
 Typed: TypeAlias = Annotated[StrictStr, AfterValidator(_whole)]
+
+
+def repeated_name(raw: bytes) -> str | None:
+    """Find a name that stands twice in one object of a JSON text, of which readers keep only the last; else None."""
+    repeated: list[str] = []
+
+    def note(pairs: list[tuple[str, Any]]) -> None:
+        names = [name for name, _ in pairs]
+        if len(set(names)) < len(names):
+            repeated.append(next(name for name in names if names.count(name) > 1))
+
+    json.loads(raw, object_pairs_hook=note)
+    return sendable(repeated[0]) if repeated else None

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import isclose, nan
 from typing import Any, ClassVar
 
+from graders.asides import without_label
 from graders.common_slips import CommonSlip, Slips
 from graders.formulas import Form, checked, has_form
 from graders.judge import Echo, Formula, Samples, States
@@ -50,8 +51,8 @@ class Expression:
     symbolic: ClassVar[bool] = True
 
     def parse(self, text: str, symbols: Symbols) -> Tree:
-        """Read a formula; `omega2 = …` in front is allowed, the unknown itself inside is not."""
-        tree = parse(text, symbols)
+        """Read a formula; `omega2 = …` or an unknown name in front is allowed, the unknown itself inside is not."""
+        tree = parse(without_label(text, symbols), symbols)
         front = (Name(self.step), Name(self.called))
         if isinstance(tree, Relation) and tree.operators == ("=",) and tree.sides[0] in front:
             tree = tree.sides[1]

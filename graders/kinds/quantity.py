@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from graders.angles import is_angle, without_last_degree
-from graders.asides import without_asides
+from graders.asides import NAMED, without_asides
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
@@ -21,7 +21,7 @@ from graders.language.parser import parse_tokens
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
-from graders.language.tokens import LETTER, MAX_LENGTH, SAME, Token, tokenize
+from graders.language.tokens import MAX_LENGTH, SAME, Token, tokenize
 from graders.language.tree import Number, Tree, Unary
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
@@ -33,7 +33,6 @@ ANGLES = 4 * math.pi  # beyond it whole turns are no other way to write an angle
 ROUNDED = 2e-4  # relative, what rounding on the way adds to an answer
 SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
-NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
@@ -254,7 +253,7 @@ def _read_number(text: str) -> tuple[Tree, float, str, int]:
         start, tokens = tokens[behind].position, tokens[behind:]
     cut = _unit_starts(tokens, len(text))
     number_text = text[start:cut]
-    if not number_text.strip():
+    if not number_text.strip(" +-−–"):
         raise AnswerSyntaxError(Reason.NOT_A_NUMBER, start, text[start : start + 20].strip())
     front = [token for token in tokens[:-1] if token.position < cut]
     tree = parse_tokens([*front, Token("end", "", cut)], NOTHING)

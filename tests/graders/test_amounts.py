@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from graders import AnswerSyntaxError, Quantity, Symbols
+from graders.language import Reason
 from graders.language.text import text_of
 
 NOTHING = Symbols(())
@@ -107,3 +108,10 @@ def test_a_dash_in_brackets_says_that_there_is_no_unit(text: str) -> None:
 )  # fmt: skip
 def test_an_angle_says_in_which_unit_it_is(text: str, degrees: float) -> None:
     assert Quantity("deg").parse(text, NOTHING).value == pytest.approx(degrees * 3.14159265359 / 180)
+
+
+@pytest.mark.parametrize("text", ["-M3 = -900 N*m", "- M3 = -900", "+M3"])
+def test_a_symbol_for_a_number_is_asked_for_its_value(text: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("N*m").parse(text, NOTHING)
+    assert refused.value.reason is Reason.NOT_A_NUMBER

@@ -29,6 +29,19 @@ def test_formulas_are_equal_as_functions_or_proved_different(typed: str, code: C
     assert judged(Expression("omega2"), typed, OMEGA2, SYMBOLS) is code
 
 
+@pytest.mark.parametrize("front", ["w2 = ", "i=", "= ", "ω_2 = ", "Omega = ", r"\omega_2=", "скорость = "])
+def test_what_the_result_is_called_says_nothing(front: str) -> None:
+    assert judged(Expression("omega2"), front + "-l1*ω1*cos(α1)/(l2*cos(α2))", OMEGA2, SYMBOLS) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    "front", ["l2 = ", "l2ω2 = ", "l2*ω2 = ", "2 = ", "pi = ", "sin = ", "x y = ", "i = u = ", "alpha2 = "]
+)
+def test_another_quantity_in_front_makes_an_equation(front: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        judged(Expression("omega2"), front + "-l1*ω1*cos(α1)/(l2*cos(α2))", OMEGA2, SYMBOLS)
+
+
 def test_a_different_formula_comes_with_a_witness() -> None:
     judge = Expression("omega2")
     verdict = judge.check(judge.parse("l1", SYMBOLS), OMEGA2)

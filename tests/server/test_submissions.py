@@ -165,3 +165,23 @@ def test_grading_runs_on_one_thread_of_its_own() -> None:
         return set(found)
 
     assert asyncio.run(names()) == {"judge_0"}
+
+
+@pytest.mark.parametrize(
+    ("body", "name"),
+    [
+        ('{"answers": {"l3": "1 m", "l3": "204 mm"}}', "l3"),
+        ('{"answers": {"l3": "1 m"}, "answers": {}}', "answers"),
+        ('{"answers": {"v3": "", "\\u006c3": "1", "l3": "2"}}', "l3"),
+    ],
+)
+def test_an_answer_given_twice_is_refused_and_not_stored(
+    client: TestClient, settings: Settings, deal: Callable[..., str], body: str, name: str
+) -> None:
+    reply = client.post(
+        f"/api/v1/variants/{deal()}/submissions", content=body, headers={"content-type": "application/json"}
+    )
+    assert (reply.status_code, reply.json()["error"]["code"], reply.json()["error"]["field"]) == (
+        422, "repeated_name", name,
+    )  # fmt: skip
+    assert stored(settings) == 0
