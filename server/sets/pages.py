@@ -206,7 +206,9 @@ async def _builder(
         "slot": slot,
         "seed": seed,
         "last_seed": MAX_SEED,
-        "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table) if slot else None,
+        "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table, slot.limits)
+        if slot
+        else None,
         "catalogue": [(one, await title_of(bench, one, reader.language)) for one in catalogue.ids()],
     }
     status = refused.status_code if refused else 200

@@ -8,6 +8,7 @@ from exercises import presenting
 from exercises.givens import domains
 from exercises.grading import reference
 from exercises.variants import MAX_SEED, deal
+from server.sets.dealing import Limits, within
 
 ROWS = 20
 
@@ -23,26 +24,29 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Seen:
-    """A variant as a student sees it, the domains of its givens as limits are written, and the seeds that follow."""
+    """A variant as a student sees it, whether the limits let it be dealt, the domains of its givens as limits are
+    written, and the seeds that follow."""
 
     exercise: str
     shown: presenting.Presented
+    dealt: bool
     domains: tuple[str, ...]
     prompts: tuple[str, ...]
     rows: tuple[Row, ...]
 
 
-def preview(exercise: str, seed: int, language: str, table: bool) -> Seen:
+def preview(exercise: str, seed: int, language: str, table: bool, limits: Limits) -> Seen:
     """Show a seed of an exercise; with a table, twenty from this one on."""
     variant = deal(exercise, seed)
     shown = presenting.presented(variant, language)
-    limits = tuple(
+    named = tuple(
         f"{name} {_plain(one.low, language)} {_plain(one.high, language)}"
         for name, one in domains(variant.givens).items()
     )
     seeds = range(seed, min(seed + ROWS, MAX_SEED + 1)) if table else ()
     prompts = tuple(field.prompt_text for field in shown.answers.values())
-    return Seen(exercise, shown, limits, prompts, tuple(_row(exercise, one, language) for one in seeds))
+    rows = tuple(_row(exercise, one, language) for one in seeds)
+    return Seen(exercise, shown, within(variant, limits), named, prompts, rows)
 
 
 def _plain(value: float, language: str) -> str:

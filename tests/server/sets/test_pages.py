@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
+from exercises.givens import numbers
+from exercises.variants import deal
 from server.sets.form import draft_of_form
 from tests.server.sets.conftest import EXERCISE, Course, moment
 
@@ -238,6 +240,13 @@ def test_a_task_of_a_student_is_named_in_the_language_of_who_reads(course: Cours
     page, shown = f"/sets/{number}/students/{course.school.people['student']}", course.card(number).shown
     for language in ("pl", "en", "ru"):
         assert f"1. {shown[language]['title']}</h2>" in course.lecturer.get(f"{page}?lang={language}").text
+
+
+def test_the_preview_says_of_a_seed_that_the_limits_let_nobody_get_it(course: Course) -> None:
+    page = f"/sets/{course.built(item={'limits': {'l1': [0.05, 0.06]}})}?lang=en"
+    told = ["keep this seed from being dealt" in course.lecturer.get(f"{page}&seed={seed}").text for seed in range(20)]
+    kept = [0.05 <= numbers(deal(EXERCISE, seed).givens)["l1"] <= 0.06 for seed in range(20)]
+    assert told == [not one for one in kept] and any(kept) and not all(kept)
 
 
 def test_the_preview_tells_which_givens_can_be_limited_and_how(course: Course) -> None:
