@@ -12,6 +12,8 @@ from graders.equality import Comparison, Finding, between, between_entries
 from graders.judge import Domain
 from graders.language.tree import Binary, Call, Grid, Index, Name, Relation, Tree, Unary, walk
 
+NO_FORMULA = (Relation, Grid, Index)
+
 
 def compare_expressions(request: Request, secret: bytes) -> Answer:
     """Compare two formulas."""
@@ -98,4 +100,4 @@ def filled(tree: Tree, values: Mapping[str, Tree]) -> Tree:
 
 
 def _is_formula(tree: Tree) -> bool:
-    return not any(isinstance(node, Relation | Grid | Index) for node in walk(tree))
+    return not any(isinstance(node, NO_FORMULA) for node in walk(tree))

@@ -110,11 +110,13 @@ Tree: TypeAlias = Number | Name | Unary | Binary | Call | Angle | Grid | Index |
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """Give the direct subtrees in the order they are written."""
+    if isinstance(tree, (Name, Number)):  # most nodes are leaves
+        return ()
+    if isinstance(tree, Binary):
+        return (tree.left, tree.right)
     match tree:
         case Unary(operand=operand):
             return (operand,)
-        case Binary(left=left, right=right):
-            return (left, right)
         case Call(arguments=arguments):
             return arguments
         case Grid(rows=rows):
