@@ -48,6 +48,13 @@ def of_student(connection: Connection, number: str, person: str) -> list[Card]:
     return [Card(**row) for row in connection.execute(query).mappings()]
 
 
+def titles(connection: Connection, number: str, person: str, language: str) -> dict[int, str]:
+    """Give the titles of the cards that a student has opened in a set, by the number of the task; the last turn's."""
+    opened = slots.c.task_set == number, deck.c.person == person, deck.c.variant.is_not(None)
+    query = select(slots.c.number, deck.c.shown[language, "title"].as_string()).join_from(deck, slots).where(*opened)
+    return {slot: title for slot, title in connection.execute(query.order_by(slots.c.number, deck.c.turn))}
+
+
 def begun(connection: Connection, number: str, person: str) -> datetime | None:
     """Tell when a student first opened a set."""
     mine = slots.c.task_set == number, deck.c.person == person

@@ -98,6 +98,10 @@ class Sets:
         """List the cards of a student in a set by slot and turn."""
         return await self._connections.read(lambda connection: deck.of_student(connection, number, person))
 
+    async def titles(self, number: str, person: str, language: str) -> Mapping[int, str]:
+        """Give the titles of the cards that a student has opened in a set."""
+        return await self._connections.read(lambda connection: deck.titles(connection, number, person, language))
+
     async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
         """Deal a student's card of a slot."""
         return await self._connections.write(lambda connection: deck.open_card(connection, slot, person, variant, now))

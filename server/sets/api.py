@@ -83,7 +83,8 @@ async def show_set(task_set: str, bench: Tools, reader: Asking) -> ShownTaskSet 
         return shown_set(found)
     assert reader.person is not None
     now = datetime.now(UTC)
-    return my_set(await standing(bench, found, reader.person.id, now), await final(bench, found, reader.person.id, now))
+    own = await standing(bench, found, reader.person.id, now)
+    return my_set(own, await final(bench, own, reader.person.id, now))
 
 
 @router.patch("/task-sets/{task_set}", responses=FROZEN)
@@ -334,8 +335,6 @@ async def own_variant(bench: Bench, reader: Reader, task_set: TaskSet, slot: Slo
     """
     if here(reader).role is not CourseRole.STUDENT or reader.person is None:
         raise Refused(403, "students_only")
-    card = await handing.open_task(bench, task_set, slot, reader.person.id)
-    place = await bench.sets.place(card.variant) if another and card.variant else None
-    if place is not None:
-        card = await handing.another_card(bench, place)
-    return card.variant or ""
+    variant = await handing.open_task(bench, task_set, slot, reader.person.id)
+    place = await bench.sets.place(variant) if another else None
+    return variant if place is None else (await handing.another_card(bench, place)).variant or ""

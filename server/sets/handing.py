@@ -104,8 +104,8 @@ async def solution_is_open(bench: Bench, place: Place) -> bool:
     return solution_open(rules_of(place.task_set), stage, left(place.slot.attempts, counted))
 
 
-async def open_task(bench: Bench, task_set: TaskSet, slot: Slot, person: str) -> Card:
-    """Give a student's card of a slot; the first open deals it.
+async def open_task(bench: Bench, task_set: TaskSet, slot: Slot, person: str) -> str:
+    """Give the number of a student's variant of a slot; the first open deals it.
 
     Raises:
         Refused: 403, the set is not open, and nothing was dealt before.
@@ -119,12 +119,12 @@ async def open_task(bench: Bench, task_set: TaskSet, slot: Slot, person: str) ->
     if mine is not None and found.stage(now) is not Stage.BEFORE:
         return mine
     refuse_unless_open(found, now)
-    return await _dealt(bench, task_set, slot, person, now)
+    return (await _dealt(bench, task_set, slot, person, now)).variant or ""
 
 
-async def _mine(bench: Bench, task_set: TaskSet, slot: Slot, person: str) -> Card | None:
-    cards = await bench.sets.cards(task_set.id, person)
-    return next((card for card in reversed(cards) if card.slot == slot.id and card.variant), None)
+async def _mine(bench: Bench, task_set: TaskSet, slot: Slot, person: str) -> str | None:
+    cards = await bench.marks.dealt(task_set.id, person)
+    return next((card.variant for card in reversed(cards) if card.slot == slot.id), None)
 
 
 async def _dealt(bench: Bench, task_set: TaskSet, slot: Slot, person: str, now: datetime) -> Card:

@@ -68,8 +68,8 @@ async def show_set(
     assert reader.person is not None
     now = datetime.now(UTC)
     own = await standing(bench, found, reader.person.id, now)
-    titles = {task.slot.number: task.card.shown[reader.language]["title"] if task.card else None for task in own.tasks}
-    context = {"own": own, "share": await final(bench, found, reader.person.id, now), "titles": titles}
+    titles = await bench.sets.titles(found.id, reader.person.id, reader.language)
+    context = {"own": own, "share": await final(bench, own, reader.person.id, now), "titles": titles}
     return page(request, reader.language, "set.html", context | _common(reader))
 
 

@@ -13,7 +13,8 @@ from server.marks.counting import by_submission, entries
 from server.sets import clock
 from server.sets.handing import faulty, rules_of, shown_after, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
-from server.storage.sets import Card, Line, Slot, TaskSet
+from server.storage.marks import DealtCard
+from server.storage.sets import Line, Slot, TaskSet
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +30,7 @@ class Task:
     """
 
     slot: Slot
-    card: Card | None
+    card: DealtCard | None
     ledger: tuple[Entry, ...]
     share: float | None
     left: int | None
@@ -83,7 +84,7 @@ async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) 
     lines = await bench.sets.ledger(task_set.id, person)
     marks = await bench.marks.of(task_set.id, person)
     weights = await bench.marks.weights(task_set.id, person) if marks else {}
-    dealt = [card for card in await bench.sets.cards(task_set.id, person) if card.variant]
+    dealt = await bench.marks.dealt(task_set.id, person)
     extra, begun = await bench.sets.extra(task_set.id, person), await bench.sets.begun(task_set.id, person)
     rules, found = rules_of(task_set), window_of(task_set, extra, begun)
     shown = shown_after(task_set, found, await bench.sets.most_extra(task_set.id)).stage(now)
@@ -99,18 +100,17 @@ async def standing(bench: Bench, task_set: TaskSet, person: str, now: datetime) 
     return Standing(task_set, rules, found, found.stage(now), held(rules, shown), tasks)
 
 
-def _task(slot: Slot, dealt: list[Card], ledger: Sequence[Entry], found: Window, rules: Rules) -> Task:
+def _task(slot: Slot, dealt: Sequence[DealtCard], ledger: Sequence[Entry], found: Window, rules: Rules) -> Task:
     card = next((card for card in reversed(dealt) if card.slot == slot.id), None)
     counted = sum(entry.counted for entry in ledger)
     return Task(slot, card, tuple(ledger), result(ledger, found.due, rules), left(slot.attempts, counted))
 
 
-async def final(bench: Bench, task_set: TaskSet, person: str, now: datetime) -> float | None:
-    """Give a student's share of a set; one that is a second chance is weighed with the first.
+async def final(bench: Bench, own: Standing, person: str, now: datetime) -> float | None:
+    """Give the share of a student who stands so in a set; one that is a second chance is weighed with the first.
 
     None while the results of either are held back.
     """
-    own = await standing(bench, task_set, person, now)
     before = own.rules.second_chance_of
     first = await bench.sets.task_set(before) if before else None
     if first is None or own.held:

@@ -188,6 +188,10 @@ class Sets(Protocol):
         """List the cards of a student in a set by slot and turn."""
         ...
 
+    async def titles(self, number: str, person: str, language: str) -> Mapping[int, str]:
+        """Give the titles of the cards that a student has opened in a set, by the number of the task."""
+        ...
+
     async def open(self, slot: Slot, person: str, variant: str, now: datetime) -> Card | None:
         """Deal a student's card of a slot: the one dealt before, else the one kept for the student, else a spare.
 

@@ -274,3 +274,13 @@ def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: S
     assert far == Progress("anna", 2, 1, 2, NOW + timedelta(minutes=2))
     assert [one.receipt for one in asyncio.run(school.one.marks.handed(new.id))] == [f"{new.id} 1", f"{new.id} 2"]
     assert [one.slot for one in asyncio.run(school.one.marks.dealt(new.id))] == [of.id for of in new.slots]
+
+
+def test_titles_are_those_of_the_cards_that_were_opened_last(school: School) -> None:
+    task_set = school.published()
+    slot = task_set.slots[0]
+    assert asyncio.run(school.one.sets.titles(task_set.id, "anna", "pl")) == {}
+    school.opened(slot, "anna")
+    other = asyncio.run(school.one.sets.replace(slot, "anna", f"{slot.id} new", NOW))
+    assert other is not None
+    assert asyncio.run(school.one.sets.titles(task_set.id, "anna", "pl")) == {1: other.shown["pl"]["title"]}
