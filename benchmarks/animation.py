@@ -15,6 +15,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/mechan
 
 import argparse  # noqa: E402
 import json  # noqa: E402
+import shutil  # noqa: E402
 from dataclasses import asdict  # noqa: E402
 from typing import Any  # noqa: E402
 
@@ -78,8 +79,9 @@ def main() -> None:
         kind = "text/html" if source is None else "text/javascript"
         route.fulfill(body="<!doctype html>" if source is None else source, content_type=kind)
 
+    program = shutil.which("chromium-headless-shell") or shutil.which("chromium")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
+        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
         page = browser.new_page()
         page.route(HOME + "**", answer)
         page.goto(HOME)

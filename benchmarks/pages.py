@@ -45,7 +45,9 @@ FEWEST = 20  # for a 95th percentile
 def visits(url: str, number: int) -> None:
     """Open a workspace afresh, several times; prints bytes and milliseconds."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=ARGUMENTS)
+        browser = playwright.chromium.launch(
+            executable_path=shutil.which("chromium-headless-shell") or shutil.which("chromium"), args=ARGUMENTS
+        )
         seen = []
         for _ in range(number):
             context = browser.new_context(locale="pl")

@@ -105,7 +105,8 @@ def printed_givens(variant: Variant, lang: str) -> tuple[Printed, ...]:
 def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
     grader = solved.answers[name]
     described, prompt = grader.describe(), indexed(words["answers"], name)
-    symbols = sorted(solved.symbols(name).names) if grader.symbolic else []
+    given = numbers(solved.variant.givens) if grader.symbolic else {}
+    symbols = solved.symbols(name).names if grader.symbolic else ()
     options = words["choices"][name] if "options" in described else {}
     return Field(
         name=name,
@@ -115,7 +116,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         symbol_mathml=_symbol(solved.step_of(name)),
         unit=described.get("unit", ""),
         unit_text=printed_unit(described.get("unit", ""), lang),
-        symbols=tuple(sorted(symbols, key=lambda s: (s not in numbers(solved.variant.givens), s))),
+        symbols=tuple(sorted(symbols, key=lambda s: (s not in given, s))),
         tolerance_text=tolerance(_rule(described, lang), lang),
         rtol=described.get("rtol"),
         atol=described.get("atol"),

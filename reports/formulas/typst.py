@@ -20,8 +20,9 @@ ACCENTS = {"˙": "dot", "¨": "dot.double", "→": "arrow", "¯": "macron", "^":
 
 def quoted(text: str) -> str:
     """Write a text as a string of Typst; what nobody can see is left out."""
-    seen = "".join(c for c in text if c == "\n" or unicodedata.category(c) not in UNSEEN)
-    return '"' + seen.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\r", "") + '"'
+    if not text.replace("\n", "").isprintable():  # drawings, the long texts, are
+        text = "".join(c for c in text if c == "\n" or unicodedata.category(c) not in UNSEEN)
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\r", "") + '"'
 
 
 def formula(mathml: str) -> str:
