@@ -10,6 +10,7 @@ from typing import Literal, TypeAlias
 
 from server.language import say
 from server.marks.gradebook import Cell, Gradebook, Row
+from server.templating import decimal
 
 Form: TypeAlias = Literal["csv", "xlsx"]
 Separator: TypeAlias = Literal["comma", "semicolon"]
@@ -25,6 +26,7 @@ FORMULA = frozenset("=+-@＝＋－＠")  # how a cell begins that a spreadsheet 
 class Table:
     """A table of marks; what was never judged is empty, which is not nought."""
 
+    title: str
     header: tuple[str, ...]
     rows: tuple[tuple[Value, ...], ...]
 
@@ -32,7 +34,9 @@ class Table:
 def of_set(book: Gradebook, course: str, language: str) -> Table:
     """Write the marks of a set: a column a task."""
     slots = book.task_set.slots
-    tasks = [say(language, "marks.export_item", number=slot.number, points=f"{slot.points:g}") for slot in slots]
+    tasks = [
+        say(language, "marks.export_item", number=slot.number, points=decimal(language, slot.points)) for slot in slots
+    ]
     rows = [
         (
             *_who(course, row), book.task_set.title, *map(_points, row.cells), *_taken_off([row]),
@@ -41,12 +45,12 @@ def of_set(book: Gradebook, course: str, language: str) -> Table:
         for row in book.rows
     ]  # fmt: skip
     header = (*_head(language), say(language, "marks.export_set"), *tasks, *_tail(language, share=True))
-    return Table(header, tuple(rows))
+    return Table(say(language, "marks.results"), header, tuple(rows))
 
 
 def of_course(books: Sequence[Gradebook], course: str, language: str) -> Table:
     """Write the marks of a course: a column a set."""
-    titles = [f"{one.task_set.title} ({one.worth:g})" for one in books]
+    titles = [f"{one.task_set.title} ({decimal(language, one.worth)})" for one in books]
     worth = sum(one.worth for one in books)
     rows = [
         (
@@ -55,7 +59,9 @@ def of_course(books: Sequence[Gradebook], course: str, language: str) -> Table:
         )
         for own in zip(*(one.rows for one in books), strict=True)
     ]  # fmt: skip
-    return Table((*_head(language), *titles, *_tail(language, share=False)), tuple(rows))
+    return Table(
+        say(language, "marks.results"), (*_head(language), *titles, *_tail(language, share=False)), tuple(rows)
+    )
 
 
 def written(table: Table, form: Form, separator: Separator) -> bytes:
@@ -90,7 +96,7 @@ def _xlsx(table: Table) -> bytes:
     from openpyxl.cell.cell import ILLEGAL_CHARACTERS_RE
 
     book = Workbook(write_only=True)
-    sheet = book.create_sheet("Marks")
+    sheet = book.create_sheet(table.title)
     for row in (table.header, *table.rows):
         sheet.append([ILLEGAL_CHARACTERS_RE.sub("", inert(one)) if isinstance(one, str) else one for one in row])
     held = io.BytesIO()

@@ -18,7 +18,7 @@ HOSTILE = (
 
 @pytest.mark.parametrize("text", HOSTILE)
 def test_a_hostile_text_stays_one_cell_without_a_formula(text: str) -> None:
-    table = Table(("name", "points"), ((text, 1.0),))
+    table = Table("Results", ("name", "points"), ((text, 1.0),))
     for separator, delimiter in (("comma", ","), ("semicolon", ";")):
         content = written(table, "csv", separator).decode("utf-8-sig")  # type: ignore[arg-type]
         _, (found, points) = csv.reader(io.StringIO(content, newline=""), delimiter=delimiter)

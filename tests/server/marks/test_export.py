@@ -30,7 +30,7 @@ def sheet(content: bytes) -> list[tuple[Any, ...]]:
 
 @pytest.mark.parametrize("text", FORMULAS)
 def test_a_text_that_begins_like_a_formula_is_inert_in_every_form(text: str) -> None:
-    table = Table((text, "n"), ((text, 1.5), ('a;b,"c"\n', None)))
+    table = Table("Results", (text, "n"), ((text, 1.5), ('a;b,"c"\n', None)))
     for separator, delimiter, number in (("comma", ",", "1.5"), ("semicolon", ";", "1,5")):
         found = cells(written(table, "csv", separator), delimiter)  # type: ignore[arg-type]
         assert found == [["'" + text, "n"], ["'" + text, number], ['a;b,"c"\n', ""]]
@@ -57,6 +57,14 @@ def test_an_export_shows_the_points_before_and_what_was_taken_off(course: Course
     assert told == ["10", "1", "1.8", "7.2"]
     whole = cells(course.lecturer.get(f"/api/v1/courses/{course.school.course}/marks.csv?lang=en").content, ",")
     assert "Taken off for hints" in whole[0]
+
+
+def test_points_and_the_sheet_are_named_in_the_language_of_who_exports(course: Course) -> None:
+    path = f"/api/v1/task-sets/{course.published(item={'points': 4.5})}/marks"
+    for language, task, title in (("pl", "Zadanie 1 (4,5)", "Wyniki"), ("ru", "Задача 1 (4,5)", "Результаты")):
+        assert cells(course.lecturer.get(f"{path}.csv?lang={language}").content, ",")[0][5] == task
+        excel = load_workbook(io.BytesIO(course.lecturer.get(f"{path}.xlsx?lang={language}").content))
+        assert excel.sheetnames == [title]
 
 
 @pytest.mark.parametrize("text", ["Olga", "1-2", "A=B", "", "Ł. Żuk"])
