@@ -32,7 +32,7 @@ class Choice:
             raise AnswerSyntaxError(Reason.EMPTY, 0)
         option = option_named(typed, self.options)
         if option is None:
-            raise AnswerSyntaxError(Reason.NOT_A_CHOICE, max(0, text.find(typed)), typed[:20])
+            raise AnswerSyntaxError(Reason.NOT_A_CHOICE, max(0, text.rfind(typed)), typed[:20])
         return option
 
     def check(self, answer: str, reference: str) -> Verdict:

@@ -1,8 +1,14 @@
 """What is told of whole numbers, ratios, options and orders to the last detail: places, scores, words, distances.
 
-Mutants of these judges that mutmut leaves alive are equal to what they change: `max(0, …)` of a place that is found,
-a text of exactly the greatest length, a score at 1e-9 or a value on the border of a tolerance, which no answer reaches,
-`or 2` where the sum it divides is nothing, and a name written twice in `Samples`, which holds texts for tests alone.
+Mutants of these judges that mutmut leaves alive change nothing that can be seen:
+
+* a bound moved by one (a text of 60 or 400 characters, a numerator or denominator at its greatest, a score of 1e-9, a
+  value on the border of a tolerance), or a bound that stands before a stricter one (60 characters before 15 digits);
+* `float("INF")`; the default of `comma`, which is always given or has no meaning for words; symbols, which none reads;
+* `or 2` under a sum that is nothing; `<=` for `<` between places that are never equal;
+* `in "XX+-XX"` for one sign; `case _` that returns what the end of a function returns; `strip(None)` before a reader
+  that takes off brackets itself;
+* texts in `samples`, which are there for tests alone: another one of them is as right or as wrong.
 """
 
 from __future__ import annotations
@@ -12,6 +18,7 @@ from math import inf
 import pytest
 
 from graders import AnswerSyntaxError, Choice, Choices, Code, Grader, Integer, Ordering, Rational, Symbols
+from graders.common_slips import CommonSlip
 from graders.language import Reason
 
 NOTHING = Symbols(())
@@ -42,6 +49,7 @@ def refused(judge: Grader, text: str) -> tuple[Reason, int, str]:
         (Rational(), r"\frac{1}{\sqrt{2}}", Reason.NOT_A_FRACTION, 0, "((1)/(sqrt (2)))"),
         (Choice(THREE), "=", Reason.EMPTY, 0, ""),
         (Choice(THREE), "x = the one on the left side", Reason.NOT_A_CHOICE, 4, "the one on the left "),
+        (Choice(THREE), "zz = zz", Reason.NOT_A_CHOICE, 5, "zz"),
         (Choice(THREE), "zz zz", Reason.NOT_A_CHOICE, 0, "zz zz"),
         (Ordering(THREE), "a; c", Reason.MISSING_ITEM, 4, "b"),
     ],
@@ -159,9 +167,30 @@ def test_the_fields_say_what_may_be_chosen() -> None:
     assert Choices(THREE).describe() == {"options": [*THREE], "several": True}
     assert Ordering(THREE).describe() == {"options": [*THREE], "ordered": True}
     assert Choices(THREE).show("") == "-"
+    assert Rational(rtol=0.01).describe() == {"rtol": 0.01}
+    assert Rational().describe() == {"exact": True}
 
 
 def test_a_count_agrees_only_where_it_is_no_chance() -> None:
     assert Integer().agrees(20, 20.0) and Integer().agrees(-45, -45.0)
     assert not Integer().agrees(19, 19.0)
     assert not Integer().agrees(45, 46.0)
+
+
+@pytest.mark.parametrize(
+    ("judge", "text", "reference", "slips"),
+    [
+        (Rational(), "-4", 4.0, {CommonSlip.OPPOSITE_SIGN}),
+        (Rational(), "1/4", 4.0, {CommonSlip.INVERTED_RATIO}),
+        (Rational(rtol=0.01), "0,2501", 4.0, {CommonSlip.INVERTED_RATIO}),
+        (Rational(), "0,2501", 4.0, set()),
+        (Rational(), "5", 4.0, set()),
+        (Rational(), "0", 4.0, set()),
+        (Rational(), "4", 0.0, set()),
+        (Rational(), "400", 4.0, {CommonSlip.POWER_OF_TEN}),
+        (Rational(rtol=0.01), "8,02", 4.0, {CommonSlip.FACTOR_TWO}),
+        (Rational(rtol=0.01), "8,06", 4.0, set()),
+    ],
+)
+def test_common_slips_are_told_by_a_ratio(judge: Rational, text: str, reference: float, slips: set[CommonSlip]) -> None:
+    assert judge.slips(judge.parse(text, NOTHING), reference) == slips
