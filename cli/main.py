@@ -5,9 +5,10 @@ from __future__ import annotations
 import io
 import os
 import sys
-from argparse import ArgumentParser, Namespace
+from argparse import SUPPRESS, Action, ArgumentParser, Namespace
 from collections.abc import Iterable, Sequence
 from importlib import import_module
+from typing import NoReturn
 
 from cli.problems import Unusable
 
@@ -45,6 +46,7 @@ def parser(commands: Iterable[str] = COMMANDS, *, named_only: bool = False) -> A
         named_only: Name them without their arguments, so that none of their modules is imported.
     """
     made = ArgumentParser(prog="grubler", description="An autograded laboratory for theory of machines.")
+    made.add_argument("--version", action=_Version, nargs=0, default=SUPPRESS, help="print the version and exit")
     subparsers = made.add_subparsers(title="commands", metavar="COMMAND", dest="command", required=True)
     for name in commands:
         summary = COMMANDS[name]
@@ -54,6 +56,16 @@ def parser(commands: Iterable[str] = COMMANDS, *, named_only: bool = False) -> A
             module.arguments(below)
             below.set_defaults(run=module.run)
     return made
+
+
+class _Version(Action):
+    """Prints the version; looked up only when asked for, since the look costs more than parsing."""
+
+    def __call__(self, parser: ArgumentParser, *_: object) -> NoReturn:
+        from importlib.metadata import version
+
+        print(f"grubler {version('grubler')}")
+        parser.exit()
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -3,6 +3,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tomllib
 
 import pytest
 
@@ -31,6 +32,11 @@ def test_help_imports_nothing_heavy() -> None:
 
 def test_a_drawn_and_presented_variant_needs_neither_the_web_nor_the_database() -> None:
     assert imported("draw", "slider_crank", "--seed", "1") == set()
+
+
+def test_the_version_is_that_of_the_distribution(capsys: pytest.CaptureFixture[str]) -> None:
+    said = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["version"]
+    assert run(capsys, "--version") == (0, f"grubler {said}\n", "")
 
 
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:

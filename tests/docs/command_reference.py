@@ -22,8 +22,8 @@ compares the two. The files that `grade` reads and writes are described in [file
 | 2 | unusable input: the message names file, item and field |
 | 3 | our fault, not yours |
 
-Two runs of a command on the same input print the same bytes, in every locale. `GRUBLER_SECRET` chooses the points at
-which formulas are tested; without it the commands use a fixed public one.
+`grubler --version` prints the version. Two runs of a command on the same input print the same bytes, in every locale.
+`GRUBLER_SECRET` chooses the points at which formulas are tested; without it the commands use a fixed public one.
 """
 
 
