@@ -25,7 +25,7 @@ from playwright.sync_api import Route, sync_playwright  # noqa: E402
 from exercises import catalogue, grading  # noqa: E402
 from exercises.givens import numbers  # noqa: E402
 from exercises.variants import deal  # noqa: E402
-from server.relations import relations  # noqa: E402
+from server.answering.relations import relations  # noqa: E402
 
 MODULES = Path(__file__).parents[1] / "server/assets/ts/laboratory"
 HOME = "http://laboratory.test/"

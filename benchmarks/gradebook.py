@@ -26,11 +26,11 @@ from sqlalchemy import Connection, Engine, Table, event, insert  # noqa: E402
 from starlette.testclient import TestClient  # noqa: E402
 
 from exercises.variants import deal  # noqa: E402
-from server import ids, tokens  # noqa: E402
 from server.app import create_app  # noqa: E402
 from server.database import secret_of  # noqa: E402
-from server.engine import engine  # noqa: E402
+from server.database.engine import engine  # noqa: E402
 from server.migrate import migrate  # noqa: E402
+from server.people import tokens  # noqa: E402
 from server.sets import dealing  # noqa: E402
 from server.settings import Settings  # noqa: E402
 from server.tables import (  # noqa: E402
@@ -47,6 +47,7 @@ from server.tables import (  # noqa: E402
     task_sets,
     variants,
 )
+from server.web import ids  # noqa: E402
 
 NOW = datetime(2026, 11, 28, 12, tzinfo=UTC)
 ANSWERS = ("alpha2", "l3", "omega2_formula", "omega2", "v3")

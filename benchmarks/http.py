@@ -30,8 +30,8 @@ from benchmarks.stores import KINDS, settings, stores  # noqa: E402
 from exercises import grading  # noqa: E402
 from exercises.exercise import Grade, Submission  # noqa: E402
 from exercises.variants import deal  # noqa: E402
+from server.answering.judging import JudgingThread  # noqa: E402
 from server.app import create_app  # noqa: E402
-from server.judging import JudgingThread  # noqa: E402
 from tests.server.stores import free_port  # noqa: E402
 
 EXERCISE = "slider_crank"

@@ -32,9 +32,9 @@ from sqlalchemy import insert, select  # noqa: E402
 from benchmarks.stores import KINDS, Environment, serving, settings, stores  # noqa: E402
 from exercises import grading  # noqa: E402
 from exercises.variants import deal  # noqa: E402
-from server import ids  # noqa: E402
-from server.engine import engine  # noqa: E402
+from server.database.engine import engine  # noqa: E402
 from server.tables import deck, sessions  # noqa: E402
+from server.web import ids  # noqa: E402
 from tests.server.sets.classroom import COURSE, enrol  # noqa: E402
 from tests.server.stores import free_port  # noqa: E402
 

@@ -28,12 +28,12 @@ from sqlalchemy import insert  # noqa: E402
 
 from exercises import catalogue, verifying  # noqa: E402
 from exercises.variants import deal, dump  # noqa: E402
+from server.answering.judging import JudgingThread  # noqa: E402
 from server.database import Database, regrades  # noqa: E402
-from server.engine import engine  # noqa: E402
+from server.database.engine import engine  # noqa: E402
 from server.jobs.engine import Engine  # noqa: E402
 from server.jobs.kinds import KINDS  # noqa: E402
 from server.jobs.working import Bureau  # noqa: E402
-from server.judging import JudgingThread  # noqa: E402
 from server.migrate import migrate  # noqa: E402
 from server.regrading import job as regrade  # noqa: E402
 from server.regrading.replay import Lot, replay  # noqa: E402

@@ -6,8 +6,8 @@ from argparse import ArgumentParser, Namespace
 
 from cli import store
 from cli.problems import Unusable, language
-from server import accounts
 from server import run as server
+from server.people import accounts
 
 
 def arguments(parser: ArgumentParser) -> None:

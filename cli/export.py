@@ -9,9 +9,9 @@ from argparse import ArgumentParser, Namespace
 from cli import store
 from cli.problems import Unusable, language
 from cli.report import write
-from server import accounts
 from server import run as server
 from server.marks import exporting
+from server.people import accounts
 from server.settings import Settings
 
 

@@ -7,8 +7,8 @@ from contextlib import suppress
 
 from cli import store
 from server import run as server
+from server.people.tokens import HOURS
 from server.policy import Role
-from server.tokens import HOURS
 
 ROLES = tuple(role.name.lower() for role in Role if role is not Role.ANONYMOUS)
 MOST_HOURS = 24 * 366

@@ -14,48 +14,24 @@ from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import Mount
 
 from exercises import catalogue
-from server import (
-    access,
-    account_pages,
-    audit_log,
-    comparing,
-    course_pages,
-    courses,
-    drafts,
-    errors,
-    everybody,
-    everybody_pages,
-    exercises,
-    health,
-    hints,
-    metrics,
-    oidc_pages,
-    pages,
-    people,
-    personal,
-    policy,
-    problems,
-    reports,
-    signin_pages,
-    solving,
-    static_files,
-    submissions,
-    variants,
-)
+from server import audit_log, comparing, exercises, policy, solving
+from server.answering import drafts, hints, pages, problems, reports, submissions, variants
+from server.answering.judging import Judging, JudgingThread
 from server.bench import Bench
+from server.courses import api as courses
+from server.courses import pages as course_pages
 from server.database import Database, secret_of
-from server.envelope import Envelope
 from server.jobs import api as job_api
 from server.jobs import pages as job_pages
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
 from server.jobs.streams import Streams
 from server.jobs.working import Bureau
-from server.judging import Judging, JudgingThread
-from server.limits import Limiter
 from server.marks import api as marks
 from server.marks import pages as mark_pages
-from server.passwords import Passwords
+from server.people import access, account_pages, everybody, everybody_pages, oidc_pages, personal, signin_pages
+from server.people import api as people
+from server.people.passwords import Passwords
 from server.reader import admit
 from server.regrading import api as regrading
 from server.regrading import pages as regrading_pages
@@ -65,6 +41,9 @@ from server.sets import pages as set_pages
 from server.settings import Settings
 from server.storage import Storage, StorageUnavailable
 from server.storage.jobs import Jobs
+from server.web import errors, health, metrics, static_files
+from server.web.envelope import Envelope
+from server.web.limits import Limiter
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
 SERVER = "server"  # the worker of an embedded store: there is one

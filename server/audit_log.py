@@ -12,14 +12,14 @@ from pydantic import BaseModel
 from starlette.responses import HTMLResponse
 
 from server.bench import Bench, Tools
-from server.courses import HERE, here
-from server.language import words
-from server.people import REFUSED
+from server.courses.api import HERE, here
+from server.courses.zones import told
+from server.people.api import REFUSED
 from server.reader import Asking, admit
 from server.sets import clock
 from server.storage.audit import Checked, Detail, Line
-from server.templating import decimal, page
-from server.zones import told
+from server.web.language import words
+from server.web.templating import decimal, page
 
 AT_ONCE = 100  # lines in one answer
 TITLED = {"set", "from"}  # details that are numbers of sets and courses

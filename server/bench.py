@@ -7,13 +7,11 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
+from server.answering.judging import Judging
 from server.jobs.engine import Engine
 from server.jobs.streams import Streams
-from server.judging import Judging
-from server.limits import Limiter
-from server.passwords import Passwords
+from server.people.passwords import Passwords
 from server.settings import Settings
-from server.static_files import Assets
 from server.storage import Storage
 from server.storage.audit import Audit
 from server.storage.courses import Courses
@@ -22,6 +20,8 @@ from server.storage.marks import Marks
 from server.storage.people import People
 from server.storage.personal import Personal
 from server.storage.sets import Sets
+from server.web.limits import Limiter
+from server.web.static_files import Assets
 
 
 @dataclass(frozen=True, slots=True)

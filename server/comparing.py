@@ -13,9 +13,9 @@ from mechanics.wire import reading
 from mechanics.wire.refusal import Refusal
 from mechanics.wire.solvers import without_id
 from server.bench import Tools
-from server.errors import Failure, Refused
 from server.reader import admit
 from server.solving import identified
+from server.web.errors import Failure, Refused
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["solvers"])
 TEXTS = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}

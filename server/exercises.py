@@ -12,9 +12,9 @@ from pydantic import BaseModel
 from exercises import catalogue, presenting
 from exercises.variants import deal
 from server.bench import Bench, Tools
-from server.errors import Failure, Refused
-from server.language import LANGUAGES
 from server.reader import Asking, admit
+from server.web.errors import Failure, Refused
+from server.web.language import LANGUAGES
 
 MOST = 100  # exercises in one answer
 

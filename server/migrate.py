@@ -11,7 +11,7 @@ from alembic.script import ScriptDirectory
 from alembic.util.exc import CommandError
 from sqlalchemy import Connection, text
 
-from server.engine import engine
+from server.database.engine import engine
 
 LOCK = 0x6772  # any number, the same on all hosts: one migrates, the others wait
 

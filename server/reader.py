@@ -12,14 +12,15 @@ from urllib.parse import urlsplit
 
 from fastapi import Depends, Request, Response
 
-from server import ids, language, sessions, tokens
 from server.bench import Bench, Tools
-from server.errors import Refused
-from server.limits import ADDRESS, DOCUMENTS, DOCUMENTS_OF_ADDRESS, NEWCOMERS, OWNER
+from server.people import sessions, tokens
 from server.policy import POLICIES, CourseRole, InCourse, Role
 from server.storage import Owner
 from server.storage.courses import Course
 from server.storage.people import Person, Session
+from server.web import ids, language
+from server.web.errors import Refused
+from server.web.limits import ADDRESS, DOCUMENTS, DOCUMENTS_OF_ADDRESS, NEWCOMERS, OWNER
 
 COOKIE = "grubler_practice"
 COOKIE_FORM = re.compile(r"[A-Za-z0-9_-]{43}")

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from sqlalchemy import Connection, func, insert, literal, select
 from sqlalchemy.exc import SQLAlchemyError
 
-from server.engine import engine
+from server.database.engine import engine
 from server.tables import metadata
 
 AT_ONCE = 500  # rows read and written together

@@ -12,17 +12,18 @@ from typing import Any
 import uvicorn
 from sqlalchemy.exc import SQLAlchemyError
 
-from server import accounts, logs, tokens
 from server import migrate as migrations
+from server.answering.judging import JudgingThread
 from server.app import create_app
 from server.database import Database, secret_of
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
-from server.judging import JudgingThread
+from server.people import accounts, tokens
 from server.regrading import command
 from server.settings import Settings, SettingsError, check
 from server.storage.audit import Checked, End
 from server.storage.jobs import Job
+from server.web import logs
 
 GRACE = 30  # s that requests under way have when the process is told to end
 

@@ -10,9 +10,9 @@ from starlette.concurrency import run_in_threadpool
 
 from mechanics.wire import reading, solvers
 from mechanics.wire.refusal import Refusal
-from server.errors import Failure, Refused
 from server.reader import admit
-from server.typed import sendable
+from server.web.errors import Failure, Refused
+from server.web.typed import sendable
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["solvers"])
 BODY = {"required": True, "content": {"application/json": {"schema": {"type": "object"}}}}

@@ -13,10 +13,10 @@ from typing import TypeVar
 
 from sqlalchemy import Connection, RowMapping, func, insert, select, union_all, update
 
-from server import ids
 from server.database.connections import Connections
 from server.storage.audit import Action, Checked, End, Entry, Line
 from server.tables import audit, courses, persons, settings, task_sets
+from server.web import ids
 
 T = TypeVar("T")
 LOCK = 0x6C6F  # any number, the same on all hosts: lines are added one after the other

@@ -10,9 +10,9 @@ from typing import TypeVar
 from sqlalchemy import Connection
 from sqlalchemy.exc import SQLAlchemyError
 
-from server.engine import READERS, engine
+from server.database.engine import READERS, engine
+from server.database.writer import Writer
 from server.storage import StorageUnavailable
-from server.writer import Writer
 
 T = TypeVar("T")
 

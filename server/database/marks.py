@@ -11,12 +11,12 @@ from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, s
 from server.database.audit import noting
 from server.database.connections import Connections
 from server.database.hints import before, moments
-from server.language import DEFAULT
 from server.storage import Draft, Handed
 from server.storage.audit import Entry
 from server.storage.marks import DealtCard, Mark, Progress
 from server.storage.sets import Line
 from server.tables import deck, drafts, grades, marks, slots, submissions
+from server.web.language import DEFAULT
 
 CARD = (
     deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,

@@ -8,7 +8,6 @@ from datetime import datetime
 
 from sqlalchemy import Connection, delete, insert, select, update
 
-from server import ids
 from server.database.audit import note
 from server.database.once import insert_once
 from server.database.people import add_person
@@ -16,6 +15,7 @@ from server.storage.audit import Action, Entry
 from server.storage.courses import Change, Row
 from server.storage.people import Person
 from server.tables import groups, links, memberships, persons
+from server.web import ids
 
 
 def plan(connection: Connection, course: str, rows: Sequence[Row]) -> list[Change]:

@@ -6,8 +6,8 @@ import secrets
 
 from sqlalchemy import select
 
+from server.database.engine import engine
 from server.database.once import insert_once
-from server.engine import engine
 from server.tables import settings
 
 SECRET_BYTES = 32

@@ -6,13 +6,13 @@ from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server.bench import Tools
-from server.courses import here
+from server.courses.api import here
 from server.jobs.api import cancelled, items_of, job_of
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.sets.publishing import troubles
 from server.sets.wording import said
-from server.templating import page
+from server.web.templating import page
 
 AGAIN = 2  # s until the page looks again where no script does
 

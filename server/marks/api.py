@@ -9,7 +9,7 @@ from fastapi import APIRouter, Depends, Response
 
 from server import audit
 from server.bench import Bench, Tools
-from server.courses import HERE, here
+from server.courses.api import HERE, here
 from server.marks import export, giving, gradebook
 from server.marks.giving import NewMark, Settling
 from server.marks.history import history

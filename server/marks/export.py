@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from server.language import say
 from server.marks.gradebook import Cell, Gradebook, Row
-from server.templating import decimal
+from server.web.language import say
+from server.web.templating import decimal
 
 Form: TypeAlias = Literal["csv", "xlsx"]
 Separator: TypeAlias = Literal["comma", "semicolon"]

@@ -9,18 +9,19 @@ from typing import Annotated
 
 from pydantic import Field, StrictInt
 
-from server import audit, ids
+from server import audit
+from server.answering.receipts import whole
 from server.bench import Bench
-from server.errors import Refused, printable
 from server.marks.counting import Given, by_submission, left_open
-from server.people import Strict, themselves
+from server.people.api import Strict, themselves
 from server.reader import Reader
-from server.receipts import whole
 from server.storage import Handed, Marked
 from server.storage.audit import Action
 from server.storage.marks import Mark
 from server.storage.sets import Line, TaskSet
-from server.typed import Typed
+from server.web import ids
+from server.web.errors import Refused, printable
+from server.web.typed import Typed
 
 Comment = Annotated[Typed, Field(max_length=4000)]
 Share = Annotated[float, Field(ge=0, le=1, strict=True)]

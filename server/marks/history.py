@@ -6,16 +6,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from exercises import presenting
+from server.answering.variants import PRESENTED
 from server.bench import Bench
-from server.errors import Refused
-from server.language import DEFAULT
 from server.marks.counting import NONE, by_submission, earned, left_open
 from server.marks.gradebook import Cell, Row, computed, material, students
 from server.sets.handing import rules_of
 from server.storage import Draft, Handed
 from server.storage.marks import Mark
 from server.storage.sets import Card, Line, TaskSet
-from server.variants import PRESENTED
+from server.web.errors import Refused
+from server.web.language import DEFAULT
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,11 +13,11 @@ from exercises.words import plain
 from graders.common_slips import CommonSlip
 from graders.verdict import OUTCOMES, Code, Outcome
 from graders.words import common_hint
+from server.answering.receipts import whole
 from server.bench import Bench
 from server.marks.analysis import Analysis, Try, analysed
 from server.marks.counting import entries
 from server.marks.gradebook import Cell, Gradebook, Material, Row, computed, material, students
-from server.receipts import whole
 from server.sets.handing import rules_of
 from server.sets.rules import Rules
 from server.storage import Handed

@@ -14,11 +14,11 @@ from pydantic import ValidationError
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from graders import Code
-from server import forms
+from server.answering import forms
+from server.answering.receipts import whole
 from server.bench import Bench, Tools
-from server.courses import here
-from server.errors import Refused
-from server.language import say
+from server.courses.api import here
+from server.courses.zones import told
 from server.marks import giving, gradebook
 from server.marks.asking import asked
 from server.marks.giving import NewMark, Settling
@@ -28,12 +28,12 @@ from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
-from server.receipts import whole
 from server.sets import clock
 from server.sets.api import set_of
 from server.sets.pages import title_of
-from server.templating import decimal, page
-from server.zones import told
+from server.web.errors import Refused
+from server.web.language import say
+from server.web.templating import decimal, page
 
 MOST_OPEN = 50  # open answers on a page
 

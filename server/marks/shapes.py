@@ -7,13 +7,13 @@ from datetime import datetime
 from pydantic import BaseModel
 from typing_extensions import TypedDict  # Pydantic asks for it below Python 3.12
 
+from server.answering.receipts import GRADE
+from server.answering.submissions import Judged, judged
 from server.marks.giving import Left
 from server.marks.gradebook import Cell, Gradebook, Row
 from server.marks.history import History, Piece, Seen
-from server.receipts import GRADE
 from server.sets.shapes import ListedTaskSet, listed_set
 from server.storage.marks import Mark, Progress
-from server.submissions import Judged, judged
 
 
 class ShownStudent(BaseModel):

@@ -10,16 +10,16 @@ from pydantic import BaseModel, Field, StrictBool
 
 from server.audit import actor_of
 from server.bench import Bench, Tools
-from server.courses import HERE
-from server.errors import Failure, Refused, printable
+from server.courses.api import HERE
 from server.jobs.api import ShownJob, job_of, shown_job
-from server.people import Strict
+from server.people.api import Strict
 from server.reader import Asking, Reader, admit
 from server.regrading import job as regrade
 from server.sets.api import set_of
 from server.storage.jobs import Busy, Job
 from server.storage.sets import TaskSet
-from server.typed import Typed
+from server.web.errors import Failure, Refused, printable
+from server.web.typed import Typed
 
 NOTHING: Mapping[str, Any] = {"changes": [], "references": []}
 

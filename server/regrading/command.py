@@ -7,16 +7,16 @@ from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
 from typing import Any
 
-from server import ids
+from server.answering.judging import JudgingThread
 from server.audit import COMMAND_LINE
 from server.database import Database, secret_of
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
-from server.judging import JudgingThread
 from server.regrading import job as regrade
 from server.settings import Settings, SettingsError
 from server.storage.jobs import Busy, Job
+from server.web import ids
 
 LOOK = 0.2  # s
 

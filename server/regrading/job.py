@@ -5,11 +5,11 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from functools import partial
 
-from server import ids
 from server.database import regrades
 from server.regrading.replay import replay
 from server.storage.jobs import Jobs, Kind, Order
 from server.storage.sets import TaskSet
+from server.web import ids
 
 NAME = "regrade"
 REGRADE = Kind(NAME, regrades.read, replay, regrades.write, regrades.finish, regrades.undo)

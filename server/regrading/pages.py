@@ -7,17 +7,17 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Query, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from server import forms
+from server.answering import forms
 from server.bench import Tools
-from server.courses import here
-from server.errors import printable
+from server.courses.api import here
 from server.marks.asking import asked
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.regrading import job as regrade
 from server.regrading.api import NOTHING, changes_of, ordered
 from server.sets.api import set_of
-from server.templating import page
+from server.web.errors import printable
+from server.web.templating import page
 
 LONGEST_REASON = 200
 

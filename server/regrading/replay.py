@@ -13,8 +13,8 @@ from exercises import catalogue, grading, verifying
 from exercises.exercise import Grade, Submission, Variant
 from exercises.grading import UnknownAnswer
 from exercises.variants import restore
-from server.judging import graded
-from server.receipts import GRADE, whole
+from server.answering.judging import graded
+from server.answering.receipts import GRADE, whole
 from server.regrading.difference import Effect, difference
 from server.sets.rules import Rules, share
 from server.storage import Answers

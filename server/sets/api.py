@@ -10,10 +10,10 @@ from fastapi import APIRouter, Depends, Path, Query, Response
 
 from reports import formats
 from server import audit
+from server.answering.variants import ShownVariant, shown, visible
 from server.audit import actor_of
 from server.bench import Bench, Tools
-from server.courses import HERE, ShownCourse, here, start
-from server.errors import Failure, Refused
+from server.courses.api import HERE, ShownCourse, here, start
 from server.jobs.api import ShownJob, shown_job
 from server.policy import COURSE_LECTURER, CourseRole, Role
 from server.reader import COURSES, Asking, Reader, admit, in_course
@@ -44,7 +44,7 @@ from server.storage.audit import Action
 from server.storage.courses import Course
 from server.storage.jobs import FAILED, Busy, Job
 from server.storage.sets import NotADraft, Slot, TaskSet
-from server.variants import ShownVariant, shown, visible
+from server.web.errors import Failure, Refused
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["task sets"])
 FROZEN: dict[int | str, dict[str, Any]] = HERE | {409: {"model": Failure}}

@@ -13,16 +13,16 @@ from zoneinfo import ZoneInfo
 from pydantic import Field, StrictInt
 
 from exercises import catalogue
-from server import ids
 from server.bench import Bench
-from server.errors import Refused, printable
-from server.people import Strict
+from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
 from server.storage.courses import Course
 from server.storage.sets import DRAFT, PUBLISHED, DeadlinesMoved, NotADraft, Slot, TaskSet
-from server.typed import Typed
+from server.web import ids
+from server.web.errors import Refused, printable
+from server.web.typed import Typed
 
 MOST_SLOTS = 50
 Name = Annotated[Typed, Field(min_length=1, max_length=64)]

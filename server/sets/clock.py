@@ -7,7 +7,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from markupsafe import Markup
 
-from server.language import say
+from server.web.language import say
 
 
 class NoSuchMoment(ValueError):

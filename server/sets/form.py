@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from typing import Any
 from zoneinfo import ZoneInfo
 
-from server.errors import Refused
-from server.language import say, words
 from server.sets.building import MOST_SLOTS
 from server.sets.clock import local
 from server.sets.handing import rules_of
 from server.sets.rules import Rules
 from server.storage.sets import TaskSet
+from server.web.errors import Refused
+from server.web.language import say, words
 
 MOMENTS = ("opens", "due", "closes")
 OF_SLOT = ("pool", "points", "attempts", "limits")

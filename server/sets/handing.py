@@ -15,15 +15,16 @@ from exercises.exercise import Grade, Submission, Variant
 from exercises.grading import UnknownAnswer
 from exercises.variants import restore
 from graders import Code
-from server import ids, receipts
+from server.answering import receipts
+from server.answering.judging import graded
 from server.bench import Bench
-from server.errors import Refused
-from server.judging import graded
-from server.language import DEFAULT, say
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, share, solution_open, window
 from server.storage import KeyReused, Marked, Problem
 from server.storage.sets import PUBLISHED, Card, NoAttemptLeft, Place, Slot, TaskSet, Waiting
+from server.web import ids
+from server.web.errors import Refused
+from server.web.language import DEFAULT, say
 
 MOST_OPEN = 10  # reported problems of one variant
 EXAM_SECONDS = 0.1  # that judging lasts at least while results are held back

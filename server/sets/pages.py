@@ -12,11 +12,11 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from exercises import catalogue, presenting
 from exercises.variants import MAX_SEED
-from server import forms
+from server.answering import forms
 from server.audit import actor_of
 from server.bench import Bench, Tools
-from server.courses import here
-from server.errors import Refused, printable, wants_page
+from server.courses.api import here
+from server.courses.zones import told
 from server.exercises import sample
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
@@ -28,8 +28,8 @@ from server.sets.previewing import preview
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
 from server.storage.sets import PUBLISHING, TaskSet
-from server.templating import page
-from server.zones import told
+from server.web.errors import Refused, printable, wants_page
+from server.web.templating import page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 PATIENCE = 2.0  # s that a person waits for a set to be published without seeing how far it is

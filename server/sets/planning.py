@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from server import ids
 from server.sets.dealing import Drawn, Plan
 from server.storage.sets import Card, Slot, TaskSet
+from server.web import ids
 
 CODE = 9  # signs of a code, such as 7F3K-2M0Q
 

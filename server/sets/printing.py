@@ -16,10 +16,10 @@ from sqlalchemy import Connection, select
 from exercises.presenting import Presented
 from reports import formats, sheets
 from reports.sheets import Sheet
-from server import ids
 from server.storage.jobs import DONE, Batch, Ending, Job, Jobs, Json, Kept, Kind, Order
 from server.storage.sets import TaskSet
 from server.tables import batches, deck, slots
+from server.web import ids
 
 NAME = "sheets"
 AT_ONCE = 100  # sheets of one document

@@ -7,13 +7,13 @@ from typing import Annotated
 
 from pydantic import BaseModel, Field, StrictBool, StrictInt
 
-from server.people import Strict
+from server.people.api import Strict
 from server.sets import building, handing
 from server.sets.building import Days, Draft, Item, Local, Minutes, Title
 from server.sets.rules import Rules
 from server.sets.standing import Standing, Task
 from server.storage.sets import TaskSet
-from server.typed import Typed
+from server.web.typed import Typed
 
 
 class NewTaskSet(Draft):

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
-from server import zones
 from server.bench import Bench
+from server.courses import zones
 from server.marks.counting import by_submission, entries
 from server.sets import clock
 from server.sets.handing import faulty, rules_of, shown_after, window_of

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from server.language import say
 from server.sets.dealing import Trouble
+from server.web.language import say
 
 
 def said(language: str, trouble: Trouble) -> str:

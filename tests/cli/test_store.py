@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from server import run as server
+from server.people.tokens import read
 from server.policy import Role
 from server.settings import Settings
-from server.tokens import read
 from tests.cli.calling import ROOT, run
 
 

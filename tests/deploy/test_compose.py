@@ -10,10 +10,10 @@ import pytest
 import yaml
 
 from cli.main import COMMANDS
-from server.envelope import LARGEST_BODY, LARGEST_ROSTER
 from server.policy import POLICIES
 from server.run import GRACE
 from server.settings import Settings
+from server.web.envelope import LARGEST_BODY, LARGEST_ROSTER
 
 DEPLOY = Path(__file__).parents[2] / "deploy"
 TEXT = (DEPLOY / "compose.yaml").read_text("utf-8")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from starlette.testclient import TestClient
 
-from server import tokens
+from server.people import tokens
 from tests.security.conftest import SECRET
 
 BEAM = {"L": 1.0, "E": 2e11, "I": 1e-6, "supports": [{"x": 0, "type": "fixed"}], "loads": []}

@@ -13,8 +13,8 @@ from joserfc.jwk import OctKey
 from sqlalchemy import update
 from starlette.testclient import TestClient
 
-from server import tokens
-from server.engine import engine
+from server.database.engine import engine
+from server.people import tokens
 from server.tables import persons
 from tests.server.school import School
 

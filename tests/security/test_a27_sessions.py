@@ -10,8 +10,8 @@ import pytest
 from sqlalchemy import update
 from starlette.testclient import TestClient
 
-from server import sessions
-from server.engine import engine
+from server.database.engine import engine
+from server.people import sessions
 from server.tables import sessions as kept
 from tests.conftest import Laid
 from tests.server.school import PASSWORD, School, opened

@@ -9,10 +9,10 @@ import pytest
 from pwdlib import PasswordHash
 from starlette.testclient import TestClient
 
-from server import identity
-from server.limits import TRIES, TRIES_FROM_ANYWHERE, Rate
-from server.passwords import Passwords
+from server.people import identity
+from server.people.passwords import Passwords
 from server.storage.people import Person
+from server.web.limits import TRIES, TRIES_FROM_ANYWHERE, Rate
 from tests.server.school import CHEAP, PASSWORD, School
 
 EN = {"accept-language": "en", "accept": "text/html"}

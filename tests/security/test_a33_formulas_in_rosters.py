@@ -7,8 +7,9 @@ import io
 
 import pytest
 
-from server import identity, rosters
-from server.errors import Refused
+from server.courses import rosters
+from server.people import identity
+from server.web.errors import Refused
 from tests.server.school import School
 
 FORMULAS = ('=HYPERLINK("//evil.example")', "+1+1", "-1+1", "@SUM(A1)", "\t=1+1", "\r=1+1", "=cmd|'/c calc'!A1")

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
-from server import oidc_fetch
-from server.oidc_fetch import LARGEST, Unreachable, fetch
+from server.people import oidc_fetch
+from server.people.oidc_fetch import LARGEST, Unreachable, fetch
 from server.settings import Provider
 from tests.conftest import Laid
 from tests.server.issuer import CLIENT, OTHER_KEY, PASSWORD, Issuer, running

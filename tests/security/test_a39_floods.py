@@ -13,7 +13,7 @@ from starlette.testclient import TestClient
 from exercises.exercise import Submission
 from exercises.grading import grade
 from server import reader
-from server.limits import Rate
+from server.web.limits import Rate
 from tests.graders.effort import effort
 from tests.security.conftest import LONGEST, VARIANT
 

@@ -12,10 +12,10 @@ from starlette.testclient import TestClient
 from server import audit_log
 from server.database import Database
 from server.database.audit import note
-from server.engine import engine
-from server.language import LANGUAGES, words
+from server.database.engine import engine
 from server.storage.audit import Action, Entry
 from server.tables import audit
+from server.web.language import LANGUAGES, words
 from tests.server.school import CODE, PASSWORD, School
 
 EN = {"accept-language": "en", "accept": "text/html"}

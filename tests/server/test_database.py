@@ -12,8 +12,8 @@ from sqlalchemy import text, update
 from sqlalchemy.exc import DBAPIError
 
 from server.database import Database, secret_of
+from server.database.engine import engine
 from server.database.practice import Practice
-from server.engine import engine
 from server.settings import Settings
 from server.storage import Dealt, Handed, KeyReused, Marked, Owner, StorageUnavailable, UnknownVariant
 from server.tables import submissions

@@ -29,7 +29,7 @@ from sqlalchemy import (
 
 from server import migrate as migrations
 from server.database import Database
-from server.engine import engine
+from server.database.engine import engine
 from server.migrations import newest
 from server.settings import Settings
 from tests.server.stores import Postgres

@@ -6,9 +6,9 @@ import pytest
 
 from graders import KINDS
 from graders.words import LANGUAGES
-from server.forms import TABLES
-from server.language import say
-from server.workspace import HELPED, LONG
+from server.answering.forms import TABLES
+from server.answering.workspace import HELPED, LONG
+from server.web.language import say
 
 PLAIN = {
     "choice",

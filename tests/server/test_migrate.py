@@ -10,7 +10,7 @@ from alembic.autogenerate import compare_metadata
 from alembic.runtime.migration import MigrationContext
 from sqlalchemy import text
 
-from server.engine import engine
+from server.database.engine import engine
 from server.migrate import MigrationError, current, migrate
 from server.settings import Settings
 from server.tables import metadata

@@ -20,10 +20,10 @@ from starlette.testclient import TestClient
 from exercises import grading
 from server import run
 from server.app import create_app
-from server.engine import engine
-from server.logs import REQUEST, Lines, Plain
+from server.database.engine import engine
 from server.migrations import newest
 from server.settings import Settings, SettingsError
+from server.web.logs import REQUEST, Lines, Plain
 from tests.server.conftest import Live
 from tests.server.stores import free_port
 
@@ -52,7 +52,7 @@ def test_a_store_that_takes_its_time_is_not_ready(client: TestClient, monkeypatc
     async def slow() -> None:
         await asyncio.sleep(60)
 
-    monkeypatch.setattr("server.health.SLOWEST", 0.01)
+    monkeypatch.setattr("server.web.health.SLOWEST", 0.01)
     monkeypatch.setattr(client.app.state.bench.storage, "check", slow)  # type: ignore[attr-defined]
     reply = client.get("/ready")
     assert (reply.status_code, reply.headers["retry-after"]) == (503, "2")

@@ -12,11 +12,11 @@ from sqlalchemy import Connection, event, text
 from starlette.testclient import TestClient
 
 from server.app import create_app
-from server.engine import engine
+from server.database.engine import engine
+from server.database.writer import Writer
 from server.run import migrate
 from server.settings import Settings
 from server.storage import StorageUnavailable
-from server.writer import Writer
 from tests.conftest import REQUIRED
 from tests.server.stores import OwnPostgres, running
 

@@ -9,8 +9,9 @@ from fastapi import APIRouter, Depends
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.testclient import TestClient
 
-from server import policy, tokens
+from server import policy
 from server.app import create_app
+from server.people import tokens
 from server.policy import POLICIES, Role, UndeclaredRoute
 from server.reader import admit
 from server.settings import Settings

@@ -11,8 +11,9 @@ from typing import Any
 import pytest
 import uvicorn
 
-from server import run, tokens
+from server import run
 from server.database import secret_of
+from server.people import tokens
 from server.policy import Role
 from server.settings import Settings, SettingsError
 from tests.server.conftest import Live

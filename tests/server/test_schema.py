@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from schemathesis.core import NOT_SET
 from starlette.testclient import TestClient
 
-from server import tokens
 from server.app import create_app
+from server.people import tokens
 from server.policy import POLICIES
 from server.settings import Settings
 from tests.conftest import Laid

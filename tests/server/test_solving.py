@@ -9,7 +9,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from mechanics.wire import solvers
-from server import tokens
+from server.people import tokens
 from tests.server.conftest import SECRET
 
 EXAMPLE = dict(solvers.load("beam").EXAMPLE)

@@ -13,8 +13,9 @@ from starlette.testclient import TestClient
 from exercises import catalogue
 from exercises.catalogue import Spoken
 from graders import words as graders_words
-from server import language, variants
+from server.answering import variants
 from server.exercises import sample
+from server.web import language
 from tests.server.test_policy import bearer
 
 SILENT = ("math", "script", "style", "svg", "code", "textarea", "template")

@@ -11,11 +11,11 @@ from threading import Event
 import pytest
 from sqlalchemy import Connection, Engine, text
 
-from server import writer as writing
-from server.engine import engine
+from server.database import writer as writing
+from server.database.engine import engine
+from server.database.writer import LARGEST_GROUP, Writer
 from server.settings import Settings
 from server.storage import StorageUnavailable
-from server.writer import LARGEST_GROUP, Writer
 
 
 @pytest.fixture

@@ -8,10 +8,10 @@ from functools import partial
 from exercises.presenting import Field
 from graders import Code, Verdict
 from graders.verdict import FAULT, RIGHT, UNDECIDED, Entries, wrong
-from server import language as languages
-from server.submissions import judged
-from server.templating import _templates
-from server.workspace import _line
+from server.answering.submissions import judged
+from server.answering.workspace import _line
+from server.web import language as languages
+from server.web.templating import _templates
 
 OPTIONS = (("one", "one <math><mi>a</mi></math>"), ("two", "two"), ("three", "three"))
 SHAPES: dict[str, dict[str, object]] = {

@@ -23,11 +23,11 @@ from graders import (
     Verdict,
 )
 from graders.verdict import unreadable
-from server import language as languages
-from server.forms import Form
-from server.submissions import judged
-from server.templating import _templates
-from server.workspace import _line
+from server.answering.forms import Form
+from server.answering.submissions import judged
+from server.answering.workspace import _line
+from server.web import language as languages
+from server.web.templating import _templates
 from tests.graders.fuzzing.posed import posed
 from tests.server.browser import components
 from tests.server.browser.walking import desk

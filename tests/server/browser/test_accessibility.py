@@ -9,8 +9,8 @@ from playwright.sync_api import Browser, Page, ViewportSize
 
 from exercises import grading
 from exercises.variants import deal
-from server import tokens
 from server.database import secret_of
+from server.people import tokens
 from server.settings import Settings
 from tests.depth import amount
 from tests.server.browser import axe, components

@@ -9,7 +9,7 @@ from playwright.sync_api import Browser, Page
 
 from exercises import catalogue, grading
 from exercises.variants import deal
-from server import static_files
+from server.web import static_files
 from tests.server.browser.conftest import watched
 from tests.server.browser.walking import desk, focus_by_tab, follow, practise, width
 from tests.server.conftest import Live

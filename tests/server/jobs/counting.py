@@ -10,10 +10,10 @@ from typing import Any
 
 from sqlalchemy import Connection, insert, select
 
-from server import ids
-from server.judging import JudgingThread
+from server.answering.judging import JudgingThread
 from server.storage.jobs import Batch, Ending, Job, Kept, Kind, Order
 from server.tables import batches, settings
+from server.web import ids
 
 KIND = "counting"
 PART = 0.02  # s

@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from server.language import LANGUAGES
 from server.marks.gradebook import Material
 from server.marks.items import _items, shown_item, worded
 from server.storage import Handed
@@ -15,6 +14,7 @@ from server.storage.courses import Member
 from server.storage.marks import DealtCard
 from server.storage.people import Person
 from server.storage.sets import Line
+from server.web.language import LANGUAGES
 from tests.server.sets.classroom import NOW, draft
 from tests.server.sets.conftest import Course
 

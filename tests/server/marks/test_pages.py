@@ -7,7 +7,7 @@ from html import unescape
 
 import pytest
 
-from server.language import LANGUAGES
+from server.web.language import LANGUAGES
 from tests.server.marks.test_api import book, mark, with_open_answer
 from tests.server.sets.conftest import Course, moment
 

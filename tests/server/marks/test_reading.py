@@ -11,7 +11,7 @@ import pytest
 from sqlalchemy import Engine, event
 
 from server.database import Database
-from server.engine import engine
+from server.database.engine import engine
 from server.settings import Settings
 from tests.server.stores import lay
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from sqlalchemy import select, update
 
-from server.engine import engine
+from server.database.engine import engine
 from server.tables import deck, grades, jobs
 from tests.server.sets.conftest import Course
 

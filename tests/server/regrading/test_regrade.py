@@ -11,7 +11,7 @@ import pytest
 from sqlalchemy import insert, select, update
 
 from server.database import Database, regrades
-from server.personal import erased
+from server.people.personal import erased
 from server.settings import Settings
 from server.tables import audit, deck, grades, marks, task_sets
 from tests.server.jobs.counting import Here

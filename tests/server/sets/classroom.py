@@ -8,12 +8,12 @@ from typing import Any
 
 from sqlalchemy import insert, update
 
-from server import ids
 from server.database import deck, decks
-from server.engine import engine
+from server.database.engine import engine
 from server.storage.jobs import Job
 from server.storage.sets import Card, Slot, TaskSet
 from server.tables import courses, memberships, owners, persons, task_sets
+from server.web import ids
 
 NOW = datetime(2026, 12, 1, 12, tzinfo=UTC)
 COURSE = "CCCC-CCCC-CCCC"

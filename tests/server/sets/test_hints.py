@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from starlette.testclient import TestClient
 
-from server.language import LANGUAGES
+from server.web.language import LANGUAGES
 from tests.server.sets.conftest import Course, moment
 from tests.server.sets.test_api import texts
 

@@ -9,8 +9,8 @@ from zoneinfo import ZoneInfo
 
 from starlette.testclient import TestClient
 
+from tests.server.answering.test_pages import post
 from tests.server.sets.conftest import Course
-from tests.server.test_pages import post
 
 MOMENT = re.compile(r'<time datetime="([^"]+\+00:00)">([^<]+)</time>')
 WRONG = {"l3": "1 m"}

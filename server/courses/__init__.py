@@ -1,0 +1,1 @@
+"""Courses: members, groups, rosters, and the time zone in which moments are told."""

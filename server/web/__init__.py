@@ -1,0 +1,1 @@
+"""What is alike in every request: envelope, errors, language, limits, logs, templates, static files."""
