@@ -85,10 +85,11 @@ def database(store_url: str) -> Iterator[Database]:
 
 @dataclass
 class Live:
-    """A server in a process of its own, reached through a socket."""
+    """A server in a process of its own, reached through a socket; `changed` is a line that it runs first."""
 
     folder: Path
     port: int = field(default_factory=free_port)
+    changed: str = ""
     process: subprocess.Popen[bytes] | None = None
 
     @property
@@ -100,7 +101,9 @@ class Live:
         """Start the process and wait until it serves."""
         environ = {**os.environ, "GRUBLER_DATA_DIR": str(self.folder), "GRUBLER_PORT": str(self.port)}
         with self.folder.with_suffix(".out").open("wb") as out:
-            self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], env=environ, stdout=out)
+            self.process = subprocess.Popen(
+                [sys.executable, "-c", f"{self.changed}\n{PROGRAM}"], env=environ, stdout=out
+            )
         try:
             self._wait(self.process, time.monotonic() + START)
         except BaseException:

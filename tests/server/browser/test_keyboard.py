@@ -74,6 +74,8 @@ def with_every_handle(page: Page) -> None:
     for key in ("Enter", "Enter", "Tab", "ArrowUp"):
         page.keyboard.press(key)
     page.evaluate("document.activeElement.blur()")
+    page.wait_for_selector(".read .echo math")  # what was read is a part of the page, and comes when the server answers
+    page.wait_for_selector(SAVED)
 
 
 @pytest.mark.parametrize(
