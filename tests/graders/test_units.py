@@ -260,6 +260,8 @@ def test_what_is_near_to_no_unit_is_not_taken_for_one(typed: str) -> None:
     assert refused.value.proposal.meant in ("", "W", "rad")
 
 
-@pytest.mark.parametrize("word", [word for word, _ in words()])
-def test_every_word_is_a_unit(word: str) -> None:
-    assert read_unit(word).factor == read_unit(WORDS[word]).factor
+def test_every_word_is_a_unit() -> None:
+    every = [word for word, _ in words()]
+    assert (
+        len(every) > 1000 and [word for word in every if read_unit(word).factor != read_unit(WORDS[word]).factor] == []
+    )
