@@ -61,16 +61,17 @@ def chosen(request: pytest.FixtureRequest) -> Postgres | None:
 @pytest.fixture
 def laid(chosen: Postgres | None) -> Iterator[Laid]:
     """Makes the settings of a server, with an empty store on the database under test."""
-    yield from _laid(chosen)
+    yield from laying(chosen)
 
 
 @pytest.fixture(scope="module")
 def laid_for_all(chosen: Postgres | None) -> Iterator[Laid]:
     """The same, for a store that the tests of a module share."""
-    yield from _laid(chosen)
+    yield from laying(chosen)
 
 
-def _laid(server: Postgres | None) -> Iterator[Laid]:
+def laying(server: Postgres | None) -> Iterator[Laid]:
+    """Make such settings; the stores that were lent go back in the end."""
     lent: list[str] = []
 
     def made(folder: Path, **given: Any) -> Settings:

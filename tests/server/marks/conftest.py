@@ -6,15 +6,19 @@ from collections.abc import Iterator
 
 import pytest
 
-from server.settings import Settings
+from tests.conftest import Laid, laying
 from tests.server.conftest import SECRET
 from tests.server.sets.conftest import Course, made
-from tests.server.stores import lay
+from tests.server.stores import Postgres
 
 
 @pytest.fixture(scope="package")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Course]:
+def laid_for_all(chosen: Postgres | None) -> Iterator[Laid]:
+    """Makes the settings of a server, with an empty store that the tests of this package share."""
+    yield from laying(chosen)
+
+
+@pytest.fixture(scope="package")
+def course(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[Course]:
     """A school with small decks."""
-    settings = Settings(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False)
-    lay(settings)
-    yield from made(settings)
+    yield from made(laid_for_all(tmp_path_factory.mktemp("school"), secret=SECRET, limited=False))
