@@ -43,7 +43,7 @@ def write(connection: Connection, batch: Batch, outcome: tuple[Sequence[Drawn], 
     """Store the cards of a slot, or why there are none."""
     drawn, trouble = outcome
     if trouble is not None:
-        return Kept({"cards": 0, "trouble": asdict(trouble)})
+        return Kept({"cards": 0, "trouble": asdict(trouble)}, refused=True)
     theirs = slots.c.task_set == batch.payload["task_set"], slots.c.number == batch.piece
     slot = connection.execute(select(slots.c.id).where(*theirs)).scalar_one()
     members = set(batch.payload["roster"])

@@ -61,7 +61,8 @@ class Jobs:
 
     async def progress(self, number: str) -> Sequence[Progress]:
         """Tell how far each batch of a job is."""
-        columns = batches.c.piece, batches.c.reached, batches.c.parts
+        refused = and_(batches.c.state == DONE, batches.c.reached < batches.c.parts)
+        columns = batches.c.piece, batches.c.reached, batches.c.parts, refused
         query = select(*columns).where(batches.c.job == number).order_by(batches.c.number)
         rows = await self._connections.read(lambda connection: connection.execute(query).all())
         return [Progress(*row) for row in rows]
@@ -217,12 +218,13 @@ def _renew(connection: Connection, batch: Batch, reached: int, lease: float) -> 
 
 
 def _keep(connection: Connection, kind: Kind, batch: Batch, outcome: Any) -> None:
-    done = update(batches).where(*_held(batch)).values(state=DONE, lease=None, reached=batches.c.parts)
+    done = update(batches).where(*_held(batch)).values(state=DONE, lease=None)
     if connection.execute(done).rowcount != 1:
         raise Fenced(f"batch {batch.number} of job {batch.job}")
     kept = kind.write(connection, batch, outcome)
     mine = batches.c.job == batch.job, batches.c.number == batch.number
-    connection.execute(update(batches).where(*mine).values(result=kept.result, content=kept.content))
+    left = {"result": kept.result, "content": kept.content, "reached": 0 if kept.refused else batches.c.parts}
+    connection.execute(update(batches).where(*mine).values(**left))
     counted = update(jobs).where(jobs.c.id == batch.job, jobs.c.state == RUNNING).values(done=jobs.c.done + 1)
     if connection.execute(counted).rowcount != 1:
         raise Fenced(f"job {batch.job} has ended")

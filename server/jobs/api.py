@@ -36,11 +36,15 @@ COURSES["job"] = _course_of
 
 
 class ItemProgress(BaseModel):
-    """How far a task is that is being published: so many of its cards are drawn and checked."""
+    """How far a task is that is being published: so many of its cards are drawn and checked.
+
+    A refused one cannot be published; the job says why when it has ended.
+    """
 
     number: int
     done: int
     total: int
+    refused: bool
 
 
 class ShownJob(BaseModel):
@@ -137,7 +141,7 @@ async def shown_job(bench: Bench, number: str) -> ShownJob:
 async def items_of(bench: Bench, job: Job) -> list[ItemProgress]:
     """Tell how far each task is, of a job whose batches are tasks and tell that."""
     found = await bench.jobs.progress(job.id) if KINDS[job.kind].tells else ()
-    return [ItemProgress(number=one.piece, done=one.reached, total=one.parts) for one in found]
+    return [ItemProgress(number=p.piece, done=p.reached, total=p.parts, refused=p.refused) for p in found]
 
 
 async def _events(bench: Bench, job: Job) -> AsyncIterator[str]:

@@ -78,19 +78,24 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """How far a batch is: so many of its parts are done."""
+    """How far a batch is: so many of its parts are done; a refused one is over, and none of them is."""
 
     piece: Json
     reached: int
     parts: int
+    refused: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """What stays of a batch: a few JSON values, and a document where one was made."""
+    """What stays of a batch: a few JSON values, and a document where one was made.
+
+    A refused batch is over but has come to nothing: none of its parts counts as done.
+    """
 
     result: Json
     content: bytes | None = None
+    refused: bool = False
 
 
 @dataclass(frozen=True, slots=True)

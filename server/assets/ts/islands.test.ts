@@ -62,12 +62,14 @@ test("a preview is read in its declared shape and anything else is no preview", 
 });
 
 test("the progress of a job is read in its declared shape and anything else is none", () => {
+  const item = (number: number, done: number, refused = false) => ({ number, done, total: 30, refused });
   const batches = { state: "running", done: 1, total: 3, items: [] };
   assert.deepEqual(readProgress(JSON.stringify(batches)), batches);
   assert.deepEqual(overall(batches), { done: 1, total: 3 });
-  const cards = { ...batches, items: [{ number: 1, done: 30, total: 30 }, { number: 2, done: 7, total: 30 }] };
-  assert.deepEqual(overall(readProgress(JSON.stringify(cards)) ?? batches), { done: 37, total: 60 });
-  for (const told of [null, 1, "x", {}, { ...batches, done: "1" }, { ...batches, items: 1 }, { ...batches, items: [{}] }]) {
+  const cards = { ...batches, items: [item(1, 30), item(2, 7), item(3, 0, true)] };
+  assert.deepEqual(overall(readProgress(JSON.stringify(cards)) ?? batches), { done: 37, total: 90 });
+  const odd = { ...batches, items: [{ ...item(1, 30), refused: "no" }] };
+  for (const told of [null, 1, "x", {}, { ...batches, done: "1" }, { ...batches, items: 1 }, { ...batches, items: [{}] }, odd]) {
     assert.equal(readProgress(JSON.stringify(told)), null);
   }
 });

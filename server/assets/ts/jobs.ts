@@ -4,17 +4,22 @@ const MOST_FAILURES = 6; // in a row; then the reader is told
 const PAUSE = 500; // ms, doubled by each failure, before the stream is asked for again
 
 interface Part { done: number; total: number }
-export interface Progress extends Part { state: string; items: (Part & { number: number })[] }
+interface Item extends Part { number: number; refused: boolean }
+export interface Progress extends Part { state: string; items: Item[] }
 
 function isPart(told: Record<string, unknown>): boolean {
   return typeof told["done"] === "number" && typeof told["total"] === "number";
+}
+
+function isItem(item: Item | null): boolean {
+  return typeof item?.number === "number" && typeof item.refused === "boolean" && isPart({ ...item });
 }
 
 /** Reads an event in its declared shape; null for anything else. */
 export function readProgress(text: string): Progress | null {
   const told = JSON.parse(text) as Progress | null;
   if (typeof told?.state !== "string" || !isPart({ ...told }) || !Array.isArray(told.items)) return null;
-  return told.items.every((item) => typeof item?.number === "number" && isPart({ ...item })) ? told : null;
+  return told.items.every(isItem) ? told : null;
 }
 
 /** How far all is: by the cards of the tasks where they are told, else by batches. */
@@ -59,9 +64,15 @@ class Watch {
     const bar = this.block.querySelector("progress");
     if (bar !== null) [bar.max, bar.value] = [all.total, all.done];
     word(this.block.querySelector("label[data-job-words]"), all);
-    for (const item of progress.items) word(this.block.querySelector(`[data-job-item="${item.number}"]`), item);
+    for (const item of progress.items) this.tell(item);
     const said = this.state?.dataset[progress.state] ?? "";
     if (this.state !== null && this.state.textContent !== said) this.state.textContent = said; // it is read aloud
+  }
+
+  private tell(item: Item): void {
+    const line = this.block.querySelector<HTMLElement>(`[data-job-item="${item.number}"]`);
+    if (line === null || !item.refused) word(line, item);
+    else line.textContent = line.dataset["jobRefused"] ?? "";
   }
 
   /** A stream ends by itself after some time, or was refused, or cut: it is opened again, but not for ever. */

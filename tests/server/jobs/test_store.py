@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -12,7 +13,7 @@ import pytest
 from server.database import Database
 from server.database.jobs import MOST_FAILURES, Jobs
 from server.settings import Settings
-from server.storage.jobs import Batch, Busy, Fenced, Job, Order
+from server.storage.jobs import Batch, Busy, Fenced, Job, Kept, Order
 from tests.server.jobs.counting import COUNTING, KIND, left, order
 from tests.server.stores import lay
 
@@ -114,6 +115,18 @@ def test_how_far_a_batch_is_stands_until_another_begins_it_anew(jobs: Jobs) -> N
     assert reached(jobs, made.id) == [(4, 0, 9), (5, 0, 9)] and not asyncio.run(jobs.renew(batch, 8))
     keep(jobs, again)
     assert reached(jobs, made.id) == [(4, 9, 9), (5, 0, 9)]
+
+
+def test_a_batch_that_came_to_nothing_is_over_and_none_of_its_parts_is_done(jobs: Jobs) -> None:
+    made = order([4, 5], "refused", parts=9)
+    asyncio.run(jobs.start(made))
+    batch = held(jobs, made.id)
+    assert asyncio.run(jobs.renew(batch, 6))
+    refusing = replace(COUNTING, write=lambda connection, batch, outcome: Kept({}, refused=True))
+    asyncio.run(jobs.keep(refusing, batch, None))
+    found = asyncio.run(jobs.progress(made.id))
+    assert [(one.reached, one.refused) for one in found] == [(0, True), (0, False)]
+    assert job(jobs, made.id).done == 1
 
 
 def test_a_batch_of_a_job_that_was_cancelled_is_not_kept_for_longer(jobs: Jobs) -> None:

@@ -81,6 +81,30 @@ def test_what_stands_against_publishing_is_told_by_the_job_and_no_card_stays(cou
     assert course.school.portal.call(course.school.bench.sets.deck, number) == []
 
 
+def test_a_task_that_cannot_be_published_is_told_while_the_others_go_on(
+    course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    free = asyncio.Event()
+
+    async def apart(judging: JudgingThread, compute: Callable[..., Any], tasks: Sequence[Any]) -> list[Any]:
+        if tasks[0][1].number == 2:
+            await free.wait()
+        return await in_this_process(judging, compute, tasks)
+
+    monkeypatch.setattr(JudgingThread, "apart", apart)
+    one: dict[str, Any] = {"exercise": "slider_crank", "points": 10}
+    number = course.built(items=[one | {"limits": {"l1": [0.9, 1.0]}}, one])
+    job = begun(course, number)
+    while not (items := course.lecturer.get(job).json()["items"])[0]["refused"]:
+        pass
+    assert [(one["done"], one["total"], one["refused"]) for one in items] == [(0, 4, True), (0, 4, False)]
+    page = course.lecturer.get(f"/jobs/{job.rsplit('/', 1)[1]}?lang=en").text
+    assert "Task 1: cannot be published; the others are still being checked." in page
+    assert "drawn and checked: 0 of 8" in page and "Task 2: 0 of 4</li>" in page
+    course.school.portal.call(free.set)
+    assert ended(course, job)["state"] == "failed"
+
+
 def test_a_class_is_printed_from_the_deck_however_the_exercise_has_changed(
     course: Course, monkeypatch: pytest.MonkeyPatch
 ) -> None:
