@@ -132,6 +132,7 @@ def _runs(lines: list[str]) -> list[list[str]]:
     return runs
 
 
+@lru_cache(maxsize=4096)
 def inline(text: str) -> str:
     """Turn a line into HTML, `$…$` into MathML kept together with the punctuation after it."""
     pieces = MATHS.split(text)
@@ -158,6 +159,7 @@ def mathml(latex: str) -> str:
     return OPEN_END.sub(r'<mo rspace="0">\1', shown)
 
 
+@lru_cache(maxsize=4096)
 def plain(text: str) -> str:
     """Turn filled words into plain text for a terminal: symbols by their letters, no LaTeX."""
     return MATHS.sub(lambda found: _spoken(found[1]), text).strip()

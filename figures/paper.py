@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 INK, GREY, FILL = "#000", "#555", "#f0f0f0"
 STROKES: dict[str, tuple[str, float, str]] = {  # colour, width, dashes
     "f-link": (INK, 3, ""), "f-thick": (INK, 2, ""), "f-pos": (INK, 2, ""), "f-vel": (INK, 2, ""),
@@ -23,6 +25,7 @@ def on_paper(svg: str) -> str:
     return f"{opening}{space}{size}><style>{_sheet()}</style>{rest}"
 
 
+@cache
 def _sheet() -> str:
     rules = [
         f".{name}{{fill:none;stroke:{colour};stroke-width:{width:g};stroke-linejoin:round"

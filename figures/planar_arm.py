@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi, radians
 from typing import Literal
 
@@ -49,6 +50,7 @@ def _pose(word: Word, across: bool) -> _Pose:
     return _Pose((nodes[0], nodes[1], nodes[2], nodes[3]), angles)
 
 
+@lru_cache(maxsize=64)  # all that there are: the pose is fixed
 def draw(prefix: str, words: Words, word: Word, across: bool, relative: bool) -> Picture:
     """Draw the scheme of the arm.
 

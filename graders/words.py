@@ -82,6 +82,7 @@ def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:
     return str(words["slips"][remark.slip.value]).format(place=place + unit, until=until + unit, name=remark.name)
 
 
+@lru_cache(maxsize=1024)
 def printed_unit(unit: str, lang: str) -> str:
     """Write a unit as people of the language read it: `kN*m^2` is kN·m², and кН·м² in Russian."""
     names = UNITS[lang]

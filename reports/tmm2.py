@@ -141,7 +141,7 @@ class _Sheet:
     def _data(self) -> Iterator[Block]:
         """The geometry in words, the givens as a table, the conventions."""
         yield next(from_html(self.shown.statement_html))
-        pairs = [line_from_html(f"{symbol} = {value}") for symbol, value in self.shown.givens]
+        pairs: list[Line] = [(Formula(symbol), f" = {value}") for symbol, value in self.shown.givens]
         rows = [pairs[at : at + 4] for at in range(0, len(pairs), 4)]
         yield Table((), tuple(tuple(row) + (("",),) * (4 - len(row)) for row in rows))
         yield Paragraph((self.said["conventions"],), quiet=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 from figures.paper import on_paper
@@ -26,7 +27,7 @@ from reports.formulas.typst import formula, quoted
 PREAMBLE = """#set document(title: {title}, date: none)
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1", footer: context [
   #set text(size: 8pt, fill: luma(90))
-  #{foot} #h(1fr) #counter(page).display("1 / 1", both: true)
+  #query(<foot>).first().value #h(1fr) #counter(page).display("1 / 1", both: true)
 ])
 #set text(font: "Libertinus Serif", size: 11pt, lang: {language}, region: none, hyphenate: true)
 #set par(justify: false, leading: 0.65em)
@@ -34,6 +35,7 @@ PREAMBLE = """#set document(title: {title}, date: none)
 #show heading: set text(hyphenate: false)
 #show heading.where(level: 1): set text(size: 12pt)
 #show math.equation: set text(size: 11pt)
+#metadata({foot}) <foot>
 #align(center)[#text(size: 14pt, weight: "bold")[#{title}] #linebreak() #text(size: 11pt)[#{subtitle}]]
 """
 
@@ -54,6 +56,7 @@ def line(runs: Line) -> str:
     return "".join(f"#{quoted(run)}" if isinstance(run, str) else _equation(run) for run in runs)
 
 
+@lru_cache(maxsize=256)
 def _equation(run: Formula) -> str:
     return f"#math.equation(alt: {quoted(run.spoken)}, ${formula(run.mathml)}$)"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from html import escape
 
 from graders.language.symbols import GREEK
@@ -21,6 +22,7 @@ def mathml_of(tree: Tree, comma: bool = False) -> str:
     return f"<math><mrow>{_inner(tree, comma)}</mrow></math>"
 
 
+@lru_cache(maxsize=1024)
 def symbol_mathml(name: str) -> str:
     """Write `<math>` for one symbol: `alpha1` as α with subscript 1, `s_d` with a dot, `R_A` with subscript A."""
     return f"<math>{_name(name)}</math>"

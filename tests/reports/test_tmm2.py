@@ -16,6 +16,7 @@ from exercises.solving import solved
 from reports import formats
 from reports.document import Beside, Document, Drawing, Formula, Heading, Paragraph, Ruled, Table, plain
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
+from reports.typst import source
 
 POLISH = [  # the form, domain RP-1
     "1. Dane studenta:",
@@ -219,3 +220,12 @@ def test_every_formula_of_a_report_can_be_written_in_every_notation() -> None:
     for formula in formulas:
         assert typst.formula(formula.mathml) and latex.formula(formula.mathml)
         assert omml.formula(formula.mathml).startswith("<m:oMath")
+
+
+def test_what_is_constant_among_students_stands_under_constant_settings() -> None:
+    """The engine keeps the layout of a block only while the settings above it stay, so no name stands in them."""
+    documents = [tmm2(variants.deal("tmm2_oop", 7), "pl", Person(name), name) for name in ("Anna", "Jan")]
+    one, other = (source(document).partition("#metadata") for document in documents)
+    assert one[0] == other[0] and one[2] != other[2]
+    drawn = [next(block for block in document.blocks if isinstance(block, Drawing)) for document in documents]
+    assert drawn[0].svg is drawn[1].svg

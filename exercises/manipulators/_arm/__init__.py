@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from exercises.exercise import Mistake, Steps
@@ -74,6 +75,9 @@ def _accelerations(side: Side, axis: str) -> Iterator[Term]:
         yield "coriolis", f"{sign}2*{side.length}_d*{side.spin}*{across}({side.angle})"
 
 
+RATES = (_speeds, _accelerations)
+
+
 def _along(length: str, side: Side, axis: str) -> str:
     """Write the projection of a length along a side; none on the axis to which the side is square."""
     if side.angle in FIXED:
@@ -134,12 +138,12 @@ def steps(directions: Steps, sides: Sides) -> Steps:
     }
 
 
-def terms(sides: Sides) -> Iterator[tuple[str, ...]]:
+@lru_cache(maxsize=16)  # all sides that the arms have
+def terms(sides: Sides) -> tuple[tuple[str, ...], ...]:
     """Give the terms of every component of place, velocity and acceleration of the gripper."""
-    for axis in AXES:
-        yield tuple(place((side,), axis) for side in sides)
-        for written in (_speeds, _accelerations):
-            yield tuple(term for side in sides for _, term in written(side, axis))
+    places = (tuple(place((side,), axis) for side in sides) for axis in AXES)
+    rates = ([term for side in sides for _, term in kind(side, axis)] for axis in AXES for kind in RATES)
+    return (*places, *map(tuple, rates))
 
 
 def answers() -> dict[str, Grader]:

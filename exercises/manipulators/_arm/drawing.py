@@ -45,16 +45,24 @@ def clear(start: dict[str, float], steps: Steps, sides: Sides) -> bool:
     """Tell whether every result stands clear of zero and of what a lost term would give."""
     values: dict[str, Value] = dict(start)
     for name, line in steps.items():
+        if name == "x_D" and not (_turned(start, values) and all(_whole(found, values) for found in terms(sides))):
+            return False  # the directions tell, and refuse four of five draws
         values[name] = evaluate(line, values)
-    sums = [[_number(term, values) for term in found] for found in terms(sides)]
-    turned = [_number(name, values) for name in ("omega3", "epsilon3")]
+    return abs(_number("k_v", values) - 1) > CANCELLED
+
+
+def _turned(start: dict[str, float], values: dict[str, Value]) -> bool:
+    """Tell whether the last link turns, and lies clear of the axes."""
     parts = [abs(start[f"Theta{i}{mark}"]) for mark in ("_d", "_dd") for i in (1, 2, 3) if f"Theta{i}{mark}" in start]
-    return (
-        all(abs(sum(found)) > CANCELLED * sum(map(abs, found)) for found in sums)
-        and all(abs(one) > CANCELLED * max(parts) for one in turned)
-        and abs(remainder(_number("alpha3", values), pi / 2)) > LEVEL
-        and abs(_number("k_v", values) - 1) > CANCELLED
-    )
+    turned = (_number(name, values) for name in ("omega3", "epsilon3"))
+    level = abs(remainder(_number("alpha3", values), pi / 2)) > LEVEL
+    return level and all(abs(one) > CANCELLED * max(parts) for one in turned)
+
+
+def _whole(terms: tuple[str, ...], values: dict[str, Value]) -> bool:
+    """Tell whether a sum is no small difference of its terms."""
+    found = [_number(term, values) for term in terms]
+    return abs(sum(found)) > CANCELLED * sum(map(abs, found))
 
 
 def _number(line: str, values: dict[str, Value]) -> float:
