@@ -53,6 +53,8 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(2 * len(program.operations))
     found, slots, _ = open_turns(program, box, found)
+    if not found:
+        return NONE
     every, found = len(found), found[:MOST_TURNS]
     program = builder.program(*outputs, *(turn.slot for turn in found))
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))

@@ -6,10 +6,10 @@ found and proved, and the other must be zero there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import islice, product, zip_longest
+from itertools import islice, product
 
 from flint import arb
 
@@ -21,6 +21,7 @@ from graders.solutions.beside import Beside, beside, flat_zero
 from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.reduction import degrees, factors, reduced, residual
+from graders.solutions.rising import ways
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -33,7 +34,7 @@ from graders.solutions.scene import (
     moved,
     used_symbols,
 )
-from graders.solutions.zeros import Line, Zero, away, crossing, scanned
+from graders.solutions.zeros import NODES, Line, Zero, away, crossing, inside, only, parabola, scanned
 
 DRAWS = 4  # points at which the ratio is tested
 ENOUGH = 3  # zeros of each side that the other must share
@@ -43,6 +44,7 @@ TRIED, REGIONS = 3, 12  # points at which a side may be zero in a whole region: 
 BRANCHES = 40  # points in every branch
 SEARCHED, FEWER = 12, 33  # lines in branches that are searched from end to end, and their nodes
 MOST = 12  # zeros of one line
+PROVING = 3  # what an operation on ranges costs
 SHARE = 0.6180339887  # of the range between the two values of the unknown
 
 
@@ -87,11 +89,19 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
 
 @dataclass(slots=True)
 class Factor:
-    """A factor of a side: zero there, the whole is; the symbols in which it is affine, once they are asked for."""
+    """A factor of a side: zero there, the whole is.
+
+    Attributes:
+        side: The side, of this factor alone.
+        tree: As it is written.
+        degrees: Its degree in each symbol, once it is asked for.
+        single: Whether it only rises or only falls along the unknown, once it is asked for.
+    """
 
     side: Side
     tree: Tree
-    affine: list[int] | None = None
+    degrees: dict[str, int] | None = None
+    single: bool | None = None
 
 
 class Pair:
@@ -101,6 +111,8 @@ class Pair:
         self.scene, self.trees, self.unknown = scene, trees, unknown
         parts = [factors(tree) for tree in trees]
         several = any(len(part) > 1 for part in parts)
+        self.name = scene.names[unknown]
+        self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
         self.both = Residuals(scene, [[tree] for tree in trees] + (parts if several else []), Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.factors = [
@@ -172,15 +184,16 @@ class Pair:
 
     def _zeros(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
-        found: tuple[list[Zero], list[Zero]] = ([], [])
         for source in self._sources():
             for which, zero in source:
-                found[which].append(zero)
+                self.found[which].append(zero)
                 yield which, zero
-            if min(map(len, found)) >= ENOUGH and self._settled():
+            if self._enough and self._all_plain and not self.branches:
                 return
+        if self._enough and self._all_plain:
+            return
         for which in (0, 1):
-            for zero in self._along_lines(which, [*found[0], *found[1]]):
+            for zero in self._along_lines(which, [*self.found[0], *self.found[1]]):
                 yield which, zero
 
     def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
@@ -191,14 +204,27 @@ class Pair:
         yield self._regions(points[TRIED:REGIONS])
         yield self._regions(self.branches)
 
-    def _settled(self) -> bool:
-        """Tell whether each side has one zero on each line: both are affine in the unknown, in every branch."""
-        affine = (self.unknown in self._affine(factor) for factors in self.factors for factor in factors)
-        return not self.branches and all(affine)
+    @property
+    def _enough(self) -> bool:
+        """Tell whether enough zeros of each side were found."""
+        return min(map(len, self.found)) >= ENOUGH
+
+    @cached_property
+    def _all_plain(self) -> bool:
+        """Tell whether all zeros of each side on a line along the unknown are found at once."""
+        return all(self._plain(factor) for factors in self.factors for factor in factors)
 
     def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
-        for pair in zip_longest(source(0), source(1)):
-            yield from ((which, zero) for which, zero in enumerate(pair) if zero is not None)
+        """Give zeros of one side and of the other, first of that of the lower degree, whose zeros cost less."""
+        degrees = [max(self._degrees(factor).get(self.name, 0) for factor in factors) for factors in self.factors]
+        sources = [(which, source(which)) for which in sorted((0, 1), key=degrees.__getitem__)]
+        while sources:
+            for side in list(sources):
+                zero = next(side[1], None)
+                if zero is None:
+                    sources.remove(side)
+                else:
+                    yield side[0], zero
 
     def _regions(self, points: Sequence[Sequence[float]]) -> Iterator[tuple[int, Zero]]:
         """Give points in the middle of the box where a side is zero: an identity, a bracket that is not open."""
@@ -215,20 +241,59 @@ class Pair:
             known[name] = degrees(line, known)
         return known
 
+    def _degrees(self, factor: Factor) -> dict[str, int]:
+        """Give the degree of a factor in each symbol as it is written."""
+        if factor.degrees is None:
+            factor.degrees = degrees(factor.tree, self._lines)
+        return factor.degrees
+
     def _affine(self, factor: Factor) -> list[int]:
         """Give the symbols in which a factor is affine as it is written, the unknown first."""
-        if factor.affine is None:
-            found = degrees(factor.tree, self._lines)
-            symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
-            factor.affine = sorted(symbols, key=lambda at: at != self.unknown)
-        return factor.affine
+        found = self._degrees(factor)
+        symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
+        return sorted(symbols, key=lambda at: at != self.unknown)
+
+    def _plain(self, factor: Factor) -> bool:
+        """Tell whether all zeros of a factor on a line along the unknown are found at once."""
+        degree = self._degrees(factor).get(self.name, 0)
+        return degree in (1, 2) or (degree > 2 and self._single(factor))
+
+    def _single(self, factor: Factor) -> bool:
+        """Tell whether a factor only rises or only falls along the unknown."""
+        if factor.single is None:
+            program = self.both.program.only(self.both.program.outputs[factor.side.places[0]])
+            self.both.effort.spend(PROVING * len(program.operations))
+            factor.single = ways(program, self.scene.ranges, self.unknown)[0] in (1, -1)
+        return factor.single
+
+    def _on(self, factor: Factor, base: Sequence[float], nodes: int = NODES) -> Iterable[Zero]:
+        """Give the zeros of a factor on the line along the unknown through a point."""
+        line, degree = Line(factor.side, base, self.unknown), self._degrees(factor).get(self.name, 0)
+        found = parabola(line) if degree == 2 else None
+        if found is not None:
+            return found
+        if degree == 2 or not self._plain(factor):
+            return islice(scanned(line, nodes), MOST)
+        zero = crossing(line) if degree == 1 else only(line)
+        return [] if zero is None else [zero]
 
     def _solved(self, which: int) -> Iterator[Zero]:
-        """Give zeros where a factor of a side is affine in the unknown."""
-        for factor in self.factors[which]:
-            if self.unknown in self._affine(factor):
-                found = (crossing(Line(factor.side, base, self.unknown)) for base in self.scene.points)
-                yield from islice((zero for zero in found if zero is not None), ENOUGH + 1)
+        """Give zeros of the factors whose zeros on a line are found at once."""
+        for factor in filter(self._plain, self.factors[which]):
+            found = (zero for base in self._bases(factor) for zero in self._on(factor, base))
+            yield from found if self._degrees(factor)[self.name] == 2 else islice(found, ENOUGH + 1)
+
+    def _bases(self, factor: Factor) -> Iterable[Sequence[float]]:
+        """Give points for lines; of a parabola some for each way in which its zeros lie in the range."""
+        if self._degrees(factor)[self.name] != 2:
+            return extreme(self.scene)
+        bases, (low, high) = list(extreme(self.scene)), self.scene.ranges[self.unknown]
+        points = [tuple(moved(base, self.unknown, x)) for base in bases for x in (low, (low + high) / 2, high)]
+        values = iter(self.both.many((factor.side.which, factor.side.only[0]), points))
+        told: dict[tuple[bool, ...], list[Sequence[float]]] = {}
+        for base, three in zip(bases, zip(values, values, values, strict=True), strict=True):
+            told.setdefault(inside(*three), []).append(base)
+        return [base for way, alike in told.items() if any(way) for base in alike[:ENOUGH]]
 
     def _spread(self, which: int) -> Iterator[Zero]:
         """Give zeros all over the box and in every branch: by a symbol in which a factor is affine, else by steps."""
@@ -238,7 +303,9 @@ class Pair:
     def _spread_of(self, factor: Factor, used: Sequence[int]) -> Iterator[Zero]:
         others, count = [at for at in used if at != self.unknown], 0
         symbols, moving = self._affine(factor), ((self.unknown,), used, others)
-        yield from self._in_branches(factor, symbols)
+        yield from self._in_branches(factor)
+        if self._enough and self._all_plain:
+            return
         affine = [at for at in symbols if at in others or at == self.unknown]
         left = []
         for k, start in enumerate(islice(extreme(self.scene), STARTS)):
@@ -254,15 +321,11 @@ class Pair:
                 count += 1
                 yield zero
 
-    def _in_branches(self, factor: Factor, symbols: Sequence[int]) -> Iterator[Zero]:
+    def _in_branches(self, factor: Factor) -> Iterator[Zero]:
         """Give zeros with the parameters of points beside everything that turns."""
         for k, start in enumerate(self.branches):
-            if self.unknown in symbols:
-                zero = crossing(Line(factor.side, start, self.unknown))
-                if zero is not None:
-                    yield zero
-            elif k < SEARCHED:
-                yield from islice(scanned(Line(factor.side, start, self.unknown), FEWER), MOST)
+            if k < SEARCHED or self._plain(factor):
+                yield from self._on(factor, start, FEWER)
 
     def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
         for at in affine[:3]:
@@ -277,9 +340,4 @@ class Pair:
         bases = [[float(x) for x in zero.point] for zero in known[:: max(1, len(known) // SCANNED)]]
         bases = bases[:SCANNED] or [list(point) for point in self.scene.points[: 2 * SCANNED]]
         for base, factor in product(bases, self.factors[which]):
-            line = Line(factor.side, base, self.unknown)
-            if self.unknown in self._affine(factor):  # it has one zero at most
-                only = crossing(line)
-                yield from [only] if only is not None else []
-            else:
-                yield from islice(scanned(line), MOST)
+            yield from self._on(factor, base)

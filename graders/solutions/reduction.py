@@ -8,6 +8,7 @@ from operator import add
 from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children
 
 SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
+BENT = 3  # a degree that is neither first nor second
 
 
 def is_equation(tree: Tree) -> bool:
@@ -54,7 +55,7 @@ def factors(tree: Tree) -> list[Tree]:
 
 
 def degrees(tree: Tree, known: Mapping[str, Mapping[str, int]]) -> dict[str, int]:
-    """Give the degree of a tree in each symbol it holds, as it is written: 1 where it is affine, 2 for all else.
+    """Give the degree of a tree in each symbol it holds, as it is written: 1, 2, or 3 for all else.
 
     Args:
         tree: The tree.
@@ -71,16 +72,19 @@ def degrees(tree: Tree, known: Mapping[str, Mapping[str, int]]) -> dict[str, int
             return _joined(degrees(left, known), degrees(right, known), add)
         case Binary(operator="/", left=left, right=right):
             return _joined(degrees(left, known), _bent(degrees(right, known)), add)
+        case Binary(operator="^", left=left, right=Number(digits="2", exponent=0)):
+            found = degrees(left, known)
+            return _joined(found, found, add)
         case _:
             return _bent({name: 1 for part in children(tree) for name in degrees(part, known)})
 
 
 def _joined(one: dict[str, int], other: dict[str, int], join: Callable[[int, int], int]) -> dict[str, int]:
-    return one | {name: min(2, join(one[name], degree)) if name in one else degree for name, degree in other.items()}
+    return one | {name: min(BENT, join(one[name], degree)) if name in one else degree for name, degree in other.items()}
 
 
 def _bent(found: dict[str, int]) -> dict[str, int]:
-    return dict.fromkeys(found, 2)
+    return dict.fromkeys(found, BENT)
 
 
 def _zero(tree: Tree) -> bool:

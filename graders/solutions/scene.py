@@ -209,9 +209,13 @@ class Residuals:
 
     def along(self, place: tuple[int, int], base: Sequence[float], at: int, values: Sequence[float]) -> list[float]:
         """Give one residual in doubles along a symbol, by its side and its place there; NaN where it has no value."""
-        runner, before, after = self._doubles_of(place[0]), base[:at], base[at + 1 :]
-        self.effort.spend(len(values) * (len(runner.code) // 2 + 2))
-        points = [(*before, value, *after) for value in values]
+        before, after = tuple(base[:at]), tuple(base[at + 1 :])
+        return self.many(place, [(*before, value, *after) for value in values])
+
+    def many(self, place: tuple[int, int], points: Sequence[tuple[float, ...]]) -> list[float]:
+        """Give one residual in doubles at points, by its side and its place there; NaN where it has no value."""
+        runner = self._doubles_of(place[0])
+        self.effort.spend(len(points) * (len(runner.code) // 2 + 2))
         return [float(row[place[1]]) for row in looks(runner, points)]
 
     def doubles(self, which: int, point: Sequence[float]) -> list[float] | None:

@@ -15,6 +15,8 @@ DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
 NEAR, FAR = arb(2) ** -88, arb(2) ** -40  # of the range: where another residual is compared with its value at a zero
 TINY = arb(2) ** -150
 STEEP = arb(2) ** 20
+UNEVEN = 16.0  # ratio of the values at two ends, beyond which the middle is nearer than where a straight line crosses
+CLOSED, CLOSE = 1e-13, 1e-3  # of the way: how far a change of sign is followed in doubles; where balls go on alone
 AWAY = 1e-6  # of the greater value at an end: with less at the other one there may be a zero after all
 
 
@@ -107,6 +109,51 @@ def crossing(line: Line) -> Zero | None:
     return line.zero(place) if line.side.scene.inside(line.at, place) else None
 
 
+def parabola(line: Line) -> list[Zero] | None:
+    """Give the zeros in the range of a residual that is quadratic in the symbol as it is written; None where unsure."""
+    low, high = line.ends
+    half, middle = arb(high - low) / 2, (arb(low) + arb(high)) / 2
+    first, here, last = (line.ball(middle + half * share) for share in (-1, 0, 1))
+    if first is None or here is None or last is None:
+        return None
+    bend, slope = first + last - here * 2, last - first  # of twice the residual, over shares of half the range
+    square = slope * slope - bend * here * 8
+    if bend.contains(0):
+        return None
+    if negligible(square, (slope * slope,)):
+        places = [arb((middle - half * slope / (bend * 2)).mid(), NEAR * half)]
+    elif square.contains(0):
+        return None
+    else:
+        root = square.sqrt()
+        places = [middle + half * (way - slope) / (bend * 2) for way in (-root, root)] if square > 0 else []
+    return [line.zero(place) for place in places if line.side.scene.inside(line.at, place)]
+
+
+def inside(first: float, middle: float, last: float) -> tuple[bool, ...]:
+    """Tell of a parabola, by its values at both ends of a range and in the middle, which of its zeros lie there."""
+    bend, slope = first + last - 2 * middle, last - first
+    square = slope * slope - 8 * bend * middle
+    if not (square >= 0 and bend):
+        return ()
+    return tuple([abs(way * math.sqrt(square) / abs(bend) - slope / bend) <= 2 for way in (-1, 1)])
+
+
+def only(line: Line) -> Zero | None:
+    """Give the zero of a residual that only rises or only falls along the symbol, if there is one in the range."""
+    (a, b), (before, after) = line.ends, map(line.double, line.ends)
+    if not before * after < 0:
+        return None
+    width = arb(b) - arb(a)
+    place = polished(line.ball, arb(_closed_in(line, (a, b), (before, after), CLOSE)), width)
+    if place is None or not line.side.scene.inside(line.at, place):
+        return None
+    left, right = line.ball(place - DELTA * width), line.ball(place + DELTA * width)
+    if left is None or right is None or not left * right < 0:
+        return None
+    return line.zero(arb(place.mid(), DELTA * width))
+
+
 def away(line: Line) -> bool:
     """Tell in doubles whether a residual that is affine in the symbol has one sign at both ends of the range."""
     before, after = (line.double(end) for end in line.ends)
@@ -143,26 +190,33 @@ def _dips(before: float, here: float, after: float) -> bool:
 
 def _between(line: Line, ends: tuple[float, float], values: tuple[float, float]) -> Iterator[Zero]:
     """Close in on a change of sign, then prove it."""
+    near = proved(line, ends[values.index(0)] if 0 in values else _closed_in(line, ends, values, CLOSED))
+    if near is not None:
+        yield near
+
+
+def _closed_in(line: Line, ends: tuple[float, float], values: tuple[float, float], close: float) -> float:
+    """Close in on a change of sign in doubles, until a step is such a share of the way between the ends.
+
+    Source:
+        The Illinois rule: M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11, 1971.
+    """
     (a, b), (fa, fb) = ends, values
-    if fa == 0 or fb == 0:
-        near = proved(line, a if fa == 0 else b)
-        if near is not None:
-            yield near
-        return
-    for step in range(60):
-        x = (a + b) / 2 if step % 3 == 2 else (a * fb - b * fa) / (fb - fa)
+    last, side = a, 0
+    for _ in range(60):
+        uneven = not 1 / UNEVEN < -fa / fb < UNEVEN
+        x = (a + b) / 2 if uneven else (a * fb - b * fa) / (fb - fa)
         value = line.double(x)
         if not value or math.isnan(value) or not a < x < b:
             break
         if value * fa > 0:
-            a, fa = x, value
+            a, fa, fb, side = x, value, fb / 2 if side == 1 and not uneven else fb, 1
         else:
-            b, fb = x, value
-        if b - a < 1e-13 * abs(ends[1] - ends[0]):
+            b, fb, fa, side = x, value, fa / 2 if side == -1 and not uneven else fa, -1
+        if abs(x - last) < close * abs(ends[1] - ends[0]):
             break
-    found = proved(line, x if a <= x <= b else (a + b) / 2)
-    if found is not None:
-        yield found
+        last = x
+    return x if a <= x <= b else (a + b) / 2
 
 
 def proved(line: Line, start: float) -> Zero | None:

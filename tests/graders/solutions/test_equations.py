@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import pi
 
 import pytest
 
 from graders.equality import Finding
+from graders.language.balls import precision
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
-from graders.solutions.equations import Found, compare_equations
-from graders.solutions.scene import scene_of
+from graders.solutions.equations import Found, Pair, compare_equations
+from graders.solutions.reduction import reduced, residual
+from graders.solutions.scene import BITS, WORK, scene_of
 from tests.graders.effort import effort
 from tests.graders.solutions.boxes import RANGES, SCENE, relation
 
@@ -108,6 +111,33 @@ def solves(text: str, point: Mapping[str, float]) -> bool:
 )
 def test_without_a_solution_in_the_box_nothing_is_proved(one: str, other: str) -> None:
     assert compared("x", one, other).finding is Finding.UNDECIDED
+
+
+def test_a_root_that_few_values_of_the_others_bring_into_the_range_counts() -> None:
+    ranges = {"l1": (0.04, 0.12), "l2": (0.2, 0.6), "a1": (0.0, 2 * pi), "s": (-0.16, 1.44)}  # 0.2 - 0.12 < 0.16
+    scene = scene_of(tuple(ranges), tuple(ranges.values()), b"1085")
+    circle = relation("(s - l1*cos(a1))^2 + (l1*sin(a1))^2 = l2^2")
+    one_root = relation("s = l1*cos(a1) + sqrt(l2^2 - (l1*sin(a1))^2)")
+    assert compare_equations(one_root, circle, scene, "s").finding is Finding.DIFFERENT
+
+
+@pytest.mark.parametrize(
+    ("unknown", "one", "other", "most"),
+    [
+        ("l3", "l2^2 = (l3 - l1*cos(a1))^2 + (l1*sin(a1))^2", "l3 = l1*cos(a1) + sqrt(l2^2 - (l1*sin(a1))^2)", 4000),
+        ("y", "exp(-y*a) = b", "y = -ln(b)/a", 1500),
+        ("x", "16*a/(pi*x^3) = b", "x = root(16*a/(pi*b); 3)", 1800),
+        ("a2", "tan(a2) = a/b", "a2 = atan2(a; b)", 1200),
+    ],
+)
+def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
+    unknown: str, one: str, other: str, most: int
+) -> None:
+    trees = [reduced(residual(relation(text)), frozenset((unknown,))) for text in (one, other)]
+    with precision(BITS):
+        pair = Pair(SCENE, trees, SCENE.names.index(unknown))
+        pair.known(pair.by_ratio() or pair.by_zeros())
+    assert WORK - pair.both.effort.left < most
 
 
 def test_both_sides_of_an_identity_and_of_the_same_text_are_equal() -> None:
