@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import quote
 
@@ -13,10 +13,11 @@ from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.responses import JSONResponse, RedirectResponse, Response
 
 from server.storage import KeyReused, StorageUnavailable, UnknownVariant
-from server.web import language, templating, typed
+from server.web import language, retained, templating, typed
 
 RETRY_AFTER = 2  # seconds; the store is usually back by then
 CODES = {400: "malformed_json", 401: "bad_token", 403: "forbidden", 404: "not_found", 405: "method_not_allowed"}
+ENDED = ("token_needed", "unknown_variant", "unknown_course")  # what somebody meets whose session has ended
 KINDS = {
     "json_invalid": "malformed_json",
     "missing": "missing_field",
@@ -61,9 +62,8 @@ def install(app: FastAPI) -> None:
     """Answer every refusal and every failure of the store in the one shape."""
     app.add_exception_handler(StarletteHTTPException, _http)
     app.add_exception_handler(RequestValidationError, _schema)
-    app.add_exception_handler(KeyReused, lambda request, error: respond(request, Refused(409, "key_reused")))
-    app.add_exception_handler(UnknownVariant, lambda request, error: respond(request, unknown_variant()))
-    app.add_exception_handler(StorageUnavailable, lambda request, error: respond(request, unavailable()))
+    for kind in (KeyReused, UnknownVariant, StorageUnavailable):
+        app.add_exception_handler(kind, _store)
 
 
 def unknown_variant() -> Refused:
@@ -76,13 +76,24 @@ def unavailable() -> Refused:
     return Refused(503, "unavailable", headers={"Retry-After": str(RETRY_AFTER)})
 
 
-def _http(request: Request, error: Exception) -> Response:
+async def _store(request: Request, error: Exception) -> Response:
+    if isinstance(error, KeyReused):
+        return await _retaining(request, Refused(409, "key_reused"))
+    return await _retaining(request, unknown_variant() if isinstance(error, UnknownVariant) else unavailable())
+
+
+async def _http(request: Request, error: Exception) -> Response:
     assert isinstance(error, StarletteHTTPException)
     if isinstance(error, Refused):
-        return respond(request, error)
+        return await _retaining(request, error)
     status = 422 if error.status_code == 400 else error.status_code
     code = CODES.get(error.status_code, "invalid_value")
-    return respond(request, Refused(status, code, headers=error.headers))
+    return await _retaining(request, Refused(status, code, headers=error.headers))
+
+
+async def _retaining(request: Request, error: Refused) -> Response:
+    """Answer with an error; a page shows what was typed into the form that is refused."""
+    return respond(request, error, await retained.typed(request) if wants_page(request) else ())
 
 
 def _schema(request: Request, error: Exception) -> Response:
@@ -105,8 +116,8 @@ def printable(part: object) -> str:
     return "".join(sign if sign.isprintable() else "\ufffd" for sign in str(part)[:80])
 
 
-def respond(request: Request, error: Refused) -> Response:
-    """Answer with an error: JSON below /api, for programs and probes; a page for a browser."""
+def respond(request: Request, error: Refused, kept: Sequence[tuple[str, str]] = ()) -> Response:
+    """Answer with an error: JSON below /api, for programs and probes; a page for a browser, with what was typed."""
     spoken = language.of(request)
     problem = Problem(
         code=error.code,
@@ -120,9 +131,9 @@ def respond(request: Request, error: Refused) -> Response:
         back = quote(request.url.path, safe="/")
         return RedirectResponse(f"/signin?next={back}", 303, {"Content-Language": spoken})
     if wants_page(request):
-        return templating.error_page(
-            request, spoken, error.status_code, problem.message, problem.request_id, error.headers
-        )
+        before = retained.page_before(request) if error.code in ENDED else None
+        context = {"status": error.status_code, "message": problem.message, "kept": kept, "before": before}
+        return templating.error_page(request, spoken, context, problem.request_id, error.headers)
     body = Failure(error=problem).model_dump()
     return JSONResponse(body, error.status_code, {**(error.headers or {}), "Content-Language": spoken})
 

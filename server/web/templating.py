@@ -81,11 +81,11 @@ def keep_preferences(response: Response, secure: bool, language: str | None, the
 
 
 def error_page(
-    request: Request, language: str, status: int, message: str, number: str, headers: Mapping[str, str] | None
+    request: Request, language: str, context: Mapping[str, Any], number: str, headers: Mapping[str, str] | None
 ) -> Response:
-    """Render the page of an error: what happened, what is safe, the number to quote, the way back."""
-    context = {"status": status, "message": message, "quote": number, "wait": (headers or {}).get("Retry-After")}
-    response = page(request, language, "error.html", context, status=status, path="/")
+    """Render the page of an error: what happened, what is safe, what was typed, the number to quote, the way back."""
+    told = {**context, "quote": number, "wait": (headers or {}).get("Retry-After")}
+    response = page(request, language, "error.html", told, status=context["status"], path="/")
     response.headers.update(headers or {})
     return response
 
