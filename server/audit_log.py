@@ -121,8 +121,14 @@ async def _page(
         "newest": before is None,
         **told(language, place),
         "worded": partial(_worded, language, titles),
+        "actor": partial(_actor, language),
     }
     return page(request, language, "audit.html", context)
+
+
+def _actor(language: str, actor: Named) -> str:
+    """Name who acted; the command line and the server itself are no persons, but have words."""
+    return actor.name or words(language).get(f"audit.actor_{actor.id}".replace(" ", "_"), actor.id)
 
 
 def _plain(language: str, value: Detail) -> str:

@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from datetime import datetime
 from functools import partial
 
-from sqlalchemy import Connection, Select, bindparam, case, delete, exists, func, insert, or_, select, update
+from sqlalchemy import Connection, Select, bindparam, delete, exists, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
+from server.alphabet import alphabetical
 from server.database.audit import noting
 from server.database.connections import Connections
 from server.database.once import insert_once
@@ -152,11 +153,11 @@ def _join(connection: Connection, course: str, person: str, role: str, now: date
 
 
 def _members(connection: Connection, course: str) -> list[Member]:
-    order = case({"lecturer": 0, "assistant": 1}, value=memberships.c.role, else_=2)
     query = select(memberships, persons).join(persons).where(memberships.c.course == course)
-    rows = connection.execute(query.order_by(order, persons.c.name, persons.c.id)).mappings().all()
-    own = memberships.c
-    return [Member(person_of(row), row[own.role], row[own.group], row[own.joined], row[own.claimed]) for row in rows]
+    rows = connection.execute(query.order_by(persons.c.id)).mappings().all()
+    own, place = memberships.c, {"lecturer": 0, "assistant": 1}
+    found = [Member(person_of(row), row[own.role], row[own.group], row[own.joined], row[own.claimed]) for row in rows]
+    return sorted(found, key=lambda one: (place.get(one.role, 2), alphabetical(one.person.name)))
 
 
 def _left(connection: Connection, course: str) -> list[Member]:
@@ -165,8 +166,9 @@ def _left(connection: Connection, course: str) -> list[Member]:
     handed = select(persons, first).join(deck, deck.c.person == persons.c.id).join(slots).join(task_sets)
     handed = handed.join(submissions, submissions.c.variant == deck.c.variant).group_by(persons.c.id)
     gone = task_sets.c.course == course, persons.c.id.not_in(here)
-    rows = connection.execute(handed.where(*gone).order_by(persons.c.name, persons.c.id)).mappings().all()
-    return [Member(person_of(row), LEFT, None, row["first"]) for row in rows]
+    rows = connection.execute(handed.where(*gone).order_by(persons.c.id)).mappings().all()
+    found = [Member(person_of(row), LEFT, None, row["first"]) for row in rows]
+    return sorted(found, key=lambda one: alphabetical(one.person.name))
 
 
 def _change(connection: Connection, course: str, person: str, role: str, group: str | None) -> bool:

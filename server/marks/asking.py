@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from exercises import catalogue
@@ -20,6 +20,24 @@ def asked(task_set: TaskSet, language: str, part: str = "answers") -> Callable[[
         part: `answers` or `steps`.
     """
     return partial(_said, {slot.number: slot.pool for slot in task_set.slots}, language, part)
+
+
+def chosen(task_set: TaskSet, language: str) -> Callable[[int, str, str], str]:
+    """Give an answer to a task as its words say it, where options were chosen; any other text as it stands."""
+    return partial(_chosen, {slot.number: slot.pool for slot in task_set.slots}, language)
+
+
+def in_words(options: Mapping[str, str], text: str) -> str:
+    """Say options that were chosen, such as `same` or `c; a; b`, by their words."""
+    keys = [key.strip() for key in text.split(";")]
+    return "; ".join(options[key] for key in keys) if all(key in options for key in keys) else text
+
+
+def _chosen(pools: dict[int, Sequence[str]], language: str, item: int, name: str, text: str) -> str:
+    for exercise in pools.get(item, ()):
+        known = words_of(exercise, language).get("choices", {}) if exercise in catalogue.ids() else {}
+        text = in_words({key: plain(words) for key, words in known.get(name, {}).items()}, text)
+    return text
 
 
 def _said(pools: dict[int, Sequence[str]], language: str, part: str, item: int, name: str) -> str:

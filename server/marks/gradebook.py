@@ -10,6 +10,7 @@ from datetime import datetime
 from typing import Protocol
 
 from graders import Code
+from server.alphabet import alphabetical
 from server.marks.counting import Given, Weights, by_submission, entries, unsettled
 from server.sets.handing import rules_of, window_of
 from server.sets.rules import Entry, Rules, Window, combined, kept, reached, worth
@@ -197,7 +198,7 @@ async def students(store: Store, course: str) -> list[tuple[Member, str]]:
     found = [one for one in await store.courses.members(course) if one.role == "student"]
     found += await store.courses.left(course)
     named = [(one, names.get(one.group or "", "")) for one in found]
-    return sorted(named, key=lambda one: (not one[1], one[1].casefold(), one[0].person.name.casefold()))
+    return sorted(named, key=lambda one: (not one[1], alphabetical(one[1]), alphabetical(one[0].person.name)))
 
 
 async def _of(store: Store, task_set: TaskSet, everybody: Sequence[tuple[Member, str]]) -> Gradebook:

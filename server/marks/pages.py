@@ -20,7 +20,7 @@ from server.bench import Bench, Tools
 from server.courses.api import here
 from server.courses.zones import told
 from server.marks import giving, gradebook
-from server.marks.asking import asked
+from server.marks.asking import asked, chosen, in_words
 from server.marks.giving import NewMark, Settling
 from server.marks.gradebook import Cell, Gradebook
 from server.marks.history import history
@@ -79,6 +79,7 @@ async def show_analysis(task_set: str, request: Request, bench: Tools, reader: A
         "task_set": found,
         "items": shown,
         "asked": asked(found, reader.language),
+        "chosen": chosen(found, reader.language),
         "titles": {slot.number: await _titles(bench, slot.pool, reader.language) for slot in found.slots},
         "signed": partial(_signed, reader.language),
         "rounded": partial(_rounded, reader.language, places=1),
@@ -111,6 +112,7 @@ async def show_student(task_set: str, person: str, request: Request, bench: Tool
         "reason": given.get(person, (0, ""))[1],
         "verdicts": verdicts_of,
         "whole": whole,
+        "in_words": in_words,
     }
     return page(request, reader.language, "student.html", context | _common(reader))
 

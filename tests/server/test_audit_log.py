@@ -10,6 +10,7 @@ from sqlalchemy import delete
 from starlette.testclient import TestClient
 
 from server import audit_log
+from server.audit import COMMAND_LINE
 from server.database import Database
 from server.database.audit import note
 from server.database.engine import engine
@@ -156,3 +157,12 @@ def test_two_servers_write_one_chain(database: Database) -> None:
         assert len(asyncio.run(database.audit.lines(None, None, 99))) == 40
     finally:
         other.close()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_the_command_line_did_is_said_in_the_language_of_the_reader(school: School, language: str) -> None:
+    entry = Entry(COMMAND_LINE, Action.LINK_MADE, school.people["student"], None, {"purpose": "reset"})
+    school.portal.call(school.bench.audit.note, entry)
+    page = school.browser("administrator").get(f"/audit?lang={language}").text
+    assert f"<td>{words(language)['audit.actor_command_line']}</td>" in page
+    assert (f"<td>{COMMAND_LINE}</td>" in page) == (language == "en")

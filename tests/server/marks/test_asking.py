@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from server.marks.asking import asked
+from server.marks.asking import asked, chosen
 from tests.server.sets.classroom import draft, slot
 
 BOTH = replace(draft("s"), slots=(replace(slot("s"), pool=("slider_crank", "offset_slider_crank", "gone")),))
@@ -28,3 +28,18 @@ def test_a_step_is_named_by_what_it_finds() -> None:
 
 def test_what_nobody_asks_keeps_its_name() -> None:
     assert [asked(BOTH, "en")(item, "no_such") for item in (1, 2)] == ["no_such", "no_such"]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("same", "in the same sense as the input shaft"),
+        ("same; opposite", "in the same sense as the input shaft; in the opposite sense"),
+        ("same; 3 mm", "same; 3 mm"),
+        ("", ""),
+    ],
+)
+def test_options_that_were_chosen_are_said_by_their_words(text: str, said: str) -> None:
+    train = replace(BOTH, slots=(replace(slot("s"), pool=("gear_train", "gone")),))
+    assert chosen(train, "en")(1, "sense", text) == said
+    assert chosen(train, "en")(1, "u", "same") == "same"

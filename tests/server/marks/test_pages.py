@@ -105,3 +105,10 @@ def test_the_results_of_a_course_link_to_those_of_its_sets(course: Course, langu
         in course.lecturer.get(f"/courses/{course.school.course}").text
     )
     assert course.student.get(f"/sets/{number}/results").status_code == 403
+
+
+def test_a_choice_is_shown_by_its_words_in_the_work_of_a_student(course: Course) -> None:
+    number = course.published(title="Chosen", item={"exercise": "gear_train"})
+    course.hand_in(course.variant(number), {"sense": "same"})
+    page = course.lecturer.get(f"/sets/{number}/students/{course.school.people['student']}").text
+    assert '<td class="code wrap-anywhere">in the same sense as the input shaft</td>' in page

@@ -272,3 +272,11 @@ def test_what_is_strange_in_the_form_is_left_for_the_schema() -> None:
     found = draft_of_form({"title": "x", "slot.1.pool": "a, b", "slot.1.limits": "l1 1;  ", "late_loss": "much"})
     assert found["items"] == [{"pool": ["a", "b"], "points": "1", "attempts": None, "limits": {"l1": ["1"]}}]
     assert found["rules"]["late_loss"] == "much" and found["due"] is None
+
+
+def test_the_builder_names_the_tasks_of_a_slot_and_has_nothing_to_judge_again_yet(course: Course) -> None:
+    number = course.built(item={"exercise": "slider_crank"})
+    page = course.lecturer.get(f"/sets/{number}?lang=en").text
+    assert '<p class="help">Slider-crank by the vector polygon</p>' in page
+    page = course.lecturer.get(f"/sets/{number}/regrade?lang=en").text
+    assert "Only a published set can be judged again." in page and "<form" not in page.partition("<main")[2]

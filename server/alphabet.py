@@ -1,0 +1,12 @@
+"""Names in the order of the alphabet: Ć after C, Ł after L, Ё after Е, whatever the store sorts by."""
+
+from __future__ import annotations
+
+from unicodedata import normalize
+
+BARRED = str.maketrans("łøđħ", "lodh")  # letters with a bar, which Unicode does not take apart
+
+
+def alphabetical(text: str) -> list[tuple[str, str]]:
+    """Give the key to sort names by; a letter with a mark stands after the same letter without one."""
+    return [(normalize("NFD", letter.translate(BARRED))[0], letter) for letter in normalize("NFC", text).casefold()]

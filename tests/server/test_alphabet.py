@@ -1,0 +1,30 @@
+"""Names stand in the order of the alphabet, with letters beyond ASCII where a reader looks for them."""
+
+from __future__ import annotations
+
+import pytest
+
+from server.alphabet import alphabetical
+from server.storage.courses import Row
+from tests.server.school import School
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ["Adam", "Ąbera", "Czyż", "Ćma", "Lis", "Luty", "ładny", "Łoś", "Zwykły", "Źrebak", "Żak"],
+        ["Елка", "Ёлка", "Иванова", "Йод", "Ким"],
+        ["", "Öhm", "Ørsted", "Zeuner"],
+    ],
+)
+def test_a_letter_with_a_mark_follows_the_letter_without(names: list[str]) -> None:
+    assert sorted(reversed(names), key=alphabetical) == names
+
+
+def test_members_are_listed_by_the_alphabet_after_those_who_teach(school: School) -> None:
+    rows = [Row(str(number), name, "A") for number, name in enumerate(("Zwykły Adam", "Ćma Róża", "Łoś Ewa"))]
+    lines = "\n".join(f"{row.login};{row.name};{row.group}" for row in rows)
+    browser, place = school.browser("lecturer"), f"/api/v1/courses/{school.course}"
+    assert browser.post(f"{place}/roster", json={"csv": lines, "apply": True}).status_code == 200
+    names = [one["name"] for one in browser.get(f"{place}/members").json()]
+    assert names == ["Lecturer", "Assistant", "Ćma Róża", "Leaver", "Łoś Ewa", "Other", "Student", "Zwykły Adam"]
