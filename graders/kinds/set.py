@@ -102,19 +102,24 @@ class Set:
         return Code.WRONG_DIMENSION if strange and not right else Code.WRONG
 
     def slips(self, answer: tuple[Item, ...], reference: Rows) -> Slips:
-        """Tell whether the branches are right but for one slip in one number of each, or in all numbers."""
+        """Tell whether the branches are right but for one slip in one number of each, or in all that may have it."""
         if len(answer) != len(reference):
             return frozenset()
-        places = [(at,) for at in range(len(self.parts))] + [tuple(range(len(self.parts)))]
         return frozenset(
             slip
             for slip, factors in FACTORS
-            if any(self._mended(answer, reference, at, factor) for at in places for factor in factors)
+            if any(self._mended(answer, reference, at, factor) for at in self._places(slip) for factor in factors)
         )
+
+    def _places(self, slip: CommonSlip) -> list[tuple[int, ...]]:
+        """Give the numbers of an item that may have a slip, each for itself and all together."""
+        angles = slip is CommonSlip.DEGREES_RADIANS
+        prone = [at for at, part in enumerate(self.parts) if not angles or _is_angle(part)]
+        return [*((at,) for at in prone), tuple(prone)]
 
     def _mended(self, answer: tuple[Item, ...], reference: Rows, places: tuple[int, ...], factor: float) -> bool:
         mended = tuple(
-            tuple(replace(a, value=a.value * factor, unit=None) if at in places else a for at, a in enumerate(item))
+            tuple(replace(a, value=a.value * factor) if at in places else a for at, a in enumerate(item))
             for item in answer
         )
         return self.check(mended, reference) is RIGHT
