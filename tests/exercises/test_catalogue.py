@@ -41,3 +41,11 @@ def test_what_exercises_share_is_no_exercise(tmp_path: Path, monkeypatch: pytest
         assert catalogue.ids() == ("crane",)
     finally:
         catalogue._shelf.cache_clear()
+
+
+@pytest.mark.parametrize("exercise_id", catalogue.ids())
+def test_a_prompt_asks_and_does_not_tell_how_to_type(exercise_id: str) -> None:
+    """Prompts are printed in reports and marks too; how to type is told by the field and the statement."""
+    for words in catalogue.load(exercise_id).words.values():
+        for prompt in words["answers"].values():
+            assert "…" not in prompt and "_d" not in prompt
