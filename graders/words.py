@@ -26,6 +26,7 @@ UNITS: Mapping[str, Mapping[str, str]] = {
     },
 }  # fmt: skip
 UNIT_NAME = re.compile("[A-Za-z]+")
+GAP = re.compile(r"\{\w+\}")
 
 
 @lru_cache(maxsize=8)
@@ -73,6 +74,11 @@ def message(verdict: Verdict, lang: str) -> str:
             )
         case _:
             return str(words["codes"][verdict.code.value])
+
+
+def titled(code: str, lang: str) -> str:
+    """Word a verdict of which the code alone is kept, its gaps left open; empty for a code that has no sentence."""
+    return GAP.sub("…", str(locale(lang)["codes"].get(code, "")))
 
 
 def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Query, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
+from graders.words import titled
 from server.answering import forms
 from server.bench import Tools
 from server.courses.api import here
@@ -44,6 +46,7 @@ async def show_regrade(
         "more": more,
         "asked": asks,
         "named": lambda one: [*((solves, step) for step in one["steps"]), *((asks, text) for text in one["texts"])],
+        "titled": partial(titled, lang=reader.language),
         "names": {member.person.id: member.person.name for member in people},
     }
     return page(request, reader.language, "regrade.html", context)

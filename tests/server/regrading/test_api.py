@@ -109,7 +109,7 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     page = course.lecturer.get(f"{path}?lang=en").text
     assert "What would change" in page and "Student" in page and "<td>Position of the slider l3</td>" in page
     assert 'name="then" value="regrade">Change results: 1<' in page
-    assert "wrong <code>wrong</code>" in page and "right <code>right</code>" in page
+    assert "<td>wrong, 0</td><td>right, 1</td>" in page
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
 
 
