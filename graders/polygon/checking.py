@@ -8,7 +8,7 @@ from functools import lru_cache
 from math import pi, remainder
 
 from graders.language.doubles import UndefinedError
-from graders.language.tree import Name
+from graders.language.tree import Name, names
 from graders.polygon.drawn import Axis, Drawn, Equation
 from graders.polygon.jets import Trio, jet
 from graders.polygon.mechanism import Mechanism, State
@@ -207,18 +207,28 @@ def _missing(judged: Judged) -> list[Flaw]:
 
 def _unknowns(judged: Judged) -> tuple[list[Flaw], float]:
     """Compare the list of unknowns with what changes and is not given; the share of the list that is right."""
-    expected, listed = judged.named.unknowns(judged.drawn), judged.drawn.unknowns
+    expected, listed, named = _sought(judged), judged.drawn.unknowns, judged.named.unknowns(judged.drawn)
     if listed is None:
         return [Flaw(Code.NO_UNKNOWNS)], 0.0
     missing = [Flaw(Code.UNKNOWN_MISSING, unknown) for unknown in expected if unknown not in listed]
-    extra = [Flaw(Code.UNKNOWN_EXTRA, unknown) for unknown in listed if unknown not in expected]
+    extra = [Flaw(Code.UNKNOWN_EXTRA, unknown) for unknown in listed if unknown not in (*expected, *named)]
     return missing + extra, max(0.0, 1 - (len(missing) + len(extra)) / max(1, len(expected)))
+
+
+def _sought(judged: Judged) -> tuple[str, ...]:
+    """Give the unknowns of the vectors; where projections name coordinates of nodes, those and what else they hold.
+
+    A vector from A to D that is projected as x_D and y_D leaves its length and angle to be found from these.
+    """
+    own = judged.named.unknowns(judged.drawn)
+    used = {name_ for equation in judged.drawn.equations for name_ in names(equation.difference)}
+    placed = [place for place, _, _ in judged.mechanism.places if place in used - judged.named.owners.keys()]
+    return (*(name_ for name_ in own if name_ in used), *placed) if placed else own
 
 
 def _undetermined(judged: Judged) -> list[Flaw]:
     """Demand that the equations determine the unknowns: the rank of their derivatives by these."""
-    unknowns = judged.named.unknowns(judged.drawn)
-    reached = 0
+    unknowns, reached = _sought(judged), 0
     for row in judged.named.rows[:4]:
         reached = max(reached, rank(slopes(e, row, unknowns) for e in judged.drawn.equations))
     return [] if reached == len(unknowns) else [Flaw(Code.NOT_DETERMINED, ", ".join(unknowns))]

@@ -74,9 +74,26 @@ def test_the_rates_of_the_closing_vector_are_right_too() -> None:
     assert judged("tmm2_oop", 3, **typed | {"velocities": own})["velocities"].code is Code.RIGHT
 
 
-def test_projections_on_coordinates_that_the_polygon_lacks_are_true_but_do_not_determine_it() -> None:
-    typed = closed_by_one_vector("tmm2_oop", 3)
-    mixed = typed["polygon"].replace("r*cos(phi)", "x_D").replace("r*sin(phi)", "y_D")
+@pytest.mark.parametrize("arm", ARMS)
+@pytest.mark.parametrize(
+    ("unknowns", "code"),
+    [
+        ("x_D; y_D", Code.RIGHT),
+        ("r; phi; x_D; y_D", Code.RIGHT),
+        ("r; phi", Code.UNKNOWN_MISSING),
+        ("x_D; y_D; Theta1", Code.UNKNOWN_EXTRA),
+    ],
+)
+def test_coordinates_in_the_projections_are_the_unknowns(arm: str, unknowns: str, code: Code) -> None:
+    """A vector from A to D may be projected as x_D and y_D: these are sought then, its length and angle follow."""
+    typed = closed_by_one_vector(arm, 3)["polygon"]
+    mixed = typed.replace("r*cos(phi)", "x_D").replace("r*sin(phi)", "y_D").replace("r; phi", unknowns)
+    assert judged(arm, 3, polygon=mixed)["polygon"].code is code
+
+
+def test_one_coordinate_beside_a_length_and_an_angle_is_not_determined() -> None:
+    typed = closed_by_one_vector("tmm2_oop", 3)["polygon"]
+    mixed = typed.replace("r*cos(phi)", "x_D").replace("r; phi", "r; phi; x_D")
     assert judged("tmm2_oop", 3, polygon=mixed)["polygon"].code is Code.NOT_DETERMINED
 
 
