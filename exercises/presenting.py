@@ -19,12 +19,13 @@ from graders import Quantity, Value
 from graders.language import parse_line
 from graders.language.mathml import mathml_of, split_symbol, symbol_mathml
 from graders.language.text import text_of
-from graders.language.tree import Binary, Name, Number, Tree, Unary, mapped
+from graders.language.tree import Binary, Call, Name, Number, Tree, Unary, mapped
 from graders.language.tree import names as names_in
 from graders.units import read_unit
 from graders.words import common_hint, decimal, printed_unit, tolerance
 
 NUMBERS = {"quantity", "integer", "rational"}  # kinds whose answer is not the equation itself
+OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot", "atan2"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +73,14 @@ class SolvedLine:
     formula_mathml: str
     formula_text: str
     value: str
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """A step of a ladder of hints as HTML, and what it tells: follows, equation, data, shape or signs."""
+
+    kind: str
+    html: str
 
 
 def words_of(exercise_id: str, lang: str) -> Words:
@@ -162,12 +171,13 @@ def hints(variant: Variant, grade: Grade, lang: str) -> tuple[str, ...]:
     return (*own, escape(common_hint(grade.slip, lang))) if grade.slip else own
 
 
-def ladder(variant: Variant, answer: str, lang: str) -> tuple[str, ...]:
-    """Give what helps on with a wrong answer, as HTML: the symbols it follows from, its equation, that with the data.
+def ladder(variant: Variant, answer: str, lang: str) -> tuple[Rung, ...]:
+    """Give what helps on with a wrong answer: the symbols it follows from, its equation, that with the data.
 
-    The equation stays hidden where another answer asks for it, and in a laboratory, whose work is to find the
-    equations; a step that is no formula has no ladder. With the data means with the numbers the statement prints, in SI
-    units; results of earlier steps stay symbols, so no step holds a value of the reference.
+    The equation stays hidden where another answer asks for it. In a laboratory, whose work is to find the equations,
+    its shape is told instead: functions and signs left open, then the signs alone. A step that is no formula has no
+    ladder. With the data means with the numbers the statement prints, in SI units; results of earlier steps stay
+    symbols, so no step holds a value of the reference.
     """
     solved = solving.solved(variant)
     step = solved.step_of(answer)
@@ -177,10 +187,38 @@ def ladder(variant: Variant, answer: str, lang: str) -> tuple[str, ...]:
     tree = parse_line(line)
     named = names_in(tree)
     used = [symbol_mathml(name) for name in (*numbers(variant.givens), *solved.steps) if name in named]
-    asked = {judge.kind for name, judge in solved.answers.items() if solved.step_of(name) == step}
-    told = asked <= NUMBERS and not catalogue.load(variant.exercise).exercise.report
-    equations = dict.fromkeys((tree, _with_data(variant, tree, lang))) if told else ()
-    return (", ".join(used), *(_equation(step, mathml_of(one, lang != "en")) for one in equations)) if used else ()
+    told = _told(variant, step, tree, lang) if used else {}
+    further = (Rung(kind, _equation(step, mathml_of(one, lang != "en"))) for one, kind in told.items())
+    return (Rung("follows", ", ".join(used)), *further) if used else ()
+
+
+def _told(variant: Variant, step: str, tree: Tree, lang: str) -> dict[Tree, str]:
+    """Give the formulas of a ladder in order, with what each tells."""
+    if catalogue.load(variant.exercise).exercise.report:
+        shapes = {_left_open(tree, OF_ANGLES): "shape"} | {_left_open(tree): "signs"}
+        return {one: kind for one, kind in shapes.items() if one != tree}
+    solved = solving.solved(variant)
+    if {judge.kind for name, judge in solved.answers.items() if solved.step_of(name) == step} - NUMBERS:
+        return {}
+    told = {tree: "equation"}
+    told.setdefault(_with_data(variant, tree, lang), "data")
+    return told
+
+
+def _left_open(tree: Tree, functions: frozenset[str] = frozenset()) -> Tree:
+    """Put ± for every sign of a formula, and f for some functions."""
+
+    def opened(node: Tree) -> Tree:
+        match node:
+            case Binary(operator="+" | "-"):
+                return replace(node, operator="±")
+            case Unary(operator="-"):
+                return replace(node, operator="±")
+            case Call(function=function) if function in functions:
+                return replace(node, function="f")
+        return node
+
+    return mapped(tree, opened)
 
 
 def _with_data(variant: Variant, tree: Tree, lang: str) -> Tree:

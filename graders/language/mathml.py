@@ -12,7 +12,7 @@ from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number
 
 LETTERS = {name: letter for letter, name in reversed(GREEK.items())} | {"mu": "μ", "Omega": "Ω", "Delta": "Δ"}
 PARTS = re.compile(r"([A-Za-z]+?)_?(\d+|_?[A-Za-z]{1,3})?(_dd?)?('*)$")
-OPERATORS = {"*": "·", "-": "−", "+": "+", "<": "&lt;", ">": "&gt;", "<=": "≤", ">=": "≥", "=": "="}
+OPERATORS = {"*": "·", "-": "−", "+": "+", "±": "±", "<": "&lt;", ">": "&gt;", "<=": "≤", ">=": "≥", "=": "="}
 PRINTED = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "acot": "arccot"}
 GAP = '<mspace width=".17em"/>'
 
@@ -110,8 +110,8 @@ def _binary(tree: Binary, comma: bool) -> str:
         return f"<msup>{_fenced(tree.left, ATOM, comma)}{_row(tree.right, comma)}</msup>"
     pieces: list[str] = []
     node: Tree = tree
-    while isinstance(node, Binary) and node.operator in "+-*":  # a long sum is no deep one
-        least = 1 if node.operator in "+-" else 2
+    while isinstance(node, Binary) and node.operator in "+-±*":  # a long sum is no deep one
+        least = 1 if node.operator in "+-±" else 2
         sign = GAP if node.implicit else f"<mo>{OPERATORS[node.operator]}</mo>"
         pieces.append(sign + _fenced(node.right, least + (node.operator != "+"), comma))
         node = node.left
@@ -132,6 +132,6 @@ def _call(function: str, arguments: tuple[Tree, ...], comma: bool) -> str:
         return f"<msup><mrow><mo>⟨</mo>{_row(arguments[0], comma)}<mo>⟩</mo></mrow>{_row(arguments[1], comma)}</msup>"
     inside = "<mo>;</mo>".join(_row(a, comma) for a in arguments)
     name = PRINTED.get(function, function)
-    if len(arguments) == 1 and level(arguments[0]) == ATOM and not isinstance(arguments[0], Call):
+    if function != "f" and len(arguments) == 1 and level(arguments[0]) == ATOM and not isinstance(arguments[0], Call):
         return f"<mi>{name}</mi>{GAP}{inside}"
     return f"<mi>{name}</mi><mrow><mo>(</mo>{inside}<mo>)</mo></mrow>"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary
 
-LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 4}
+LEVELS = {"+": 1, "-": 1, "±": 1, "*": 2, "/": 2, "^": 4}
 ATOM = 5
 
 

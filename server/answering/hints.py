@@ -38,7 +38,7 @@ class NextHint(BaseModel):
 
 class Ladder(BaseModel):
     """The hints under an answer that was wrong or partly right, as HTML: the symbols it follows from, its equation,
-    and that with the numbers of the task.
+    and that with the numbers of the task; in a laboratory the shape of the equation, and that with its functions.
 
     `left` are the steps that can still be opened, each for `price`, a share of the points of the task.
     """
@@ -77,7 +77,7 @@ async def ladders(bench: Bench, reader: Reader, dealt: Dealt) -> list[Ladder]:
         steps = await bench.judging.run(presenting.ladder, restored(dealt), answer, reader.language)
         seen = steps[: opened[answer]] if cost else steps
         left = len(steps) - len(seen) if answer in astray else 0
-        found += [Ladder(answer=answer, steps=list(seen), left=left, price=cost)] if steps else []
+        found += [Ladder(answer=answer, steps=[step.html for step in seen], left=left, price=cost)] if steps else []
     return found
 
 

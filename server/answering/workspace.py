@@ -74,7 +74,10 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line of the solution as the page shows it; `sold` is the step of its ladder that can be opened at a price."""
+    """One line of the solution as the page shows it.
+
+    `sold` is the step of its ladder that can be opened at a price, `selling` what that tells.
+    """
 
     number: int
     field: Field
@@ -85,8 +88,9 @@ class Line:
     span: float | None
     echo: Understood | None
     verdict: Judged | None
-    rungs: tuple[str, ...] = ()
+    rungs: tuple[presenting.Rung, ...] = ()
     sold: int | None = None
+    selling: str = ""
     marks: tuple[ByHand, ...] = ()
 
     @property
@@ -181,7 +185,8 @@ def _laddered(variant: Variant, line: Line, lang: str, opened: Mapping[str, int]
     rungs = presenting.ladder(variant, line.field.name, lang)
     if opened is None:
         return replace(line, rungs=rungs)
-    return replace(line, rungs=rungs[:bought], sold=bought + 1 if astray and bought < len(rungs) else None)
+    left = rungs[bought:] if astray else ()
+    return replace(line, rungs=rungs[:bought], sold=bought + 1 if left else None, selling=left[0].kind if left else "")
 
 
 def marked(laid: Sequence[Line], result: Graded) -> list[Line]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from starlette.testclient import TestClient
 
-from server.web.language import LANGUAGES
+from server.web.language import LANGUAGES, say
 from tests.server.sets.conftest import Course, moment
 from tests.server.sets.test_api import texts
 
@@ -134,6 +134,17 @@ def test_in_practice_hints_are_whole_and_free(client: TestClient) -> None:
     (found,) = client.get(path).json()
     assert (found["answer"], len(found["steps"]), found["left"], found["price"]) == ("l3", 3, 0, 0)
     assert client.post(path, json={"answer": "l3", "step": 1}).status_code == 409
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_laboratory_leads_towards_its_formula_and_never_shows_it(client: TestClient, language: str) -> None:
+    variant = client.post("/api/v1/exercises/slider_crank_polygon/variants", json={"seed": 7}).json()["id"]
+    client.post(f"/api/v1/variants/{variant}/submissions", json={"answers": {"v3": "99 m/s"}})
+    page = client.get(f"/variants/{variant}?lang={language}").text
+    line = page[page.index('name="answer.v3"') :].split("</li>")[0]
+    told = ("hint_shape", "hint_shape_help", "hint_signs", "hint_signs_help")
+    assert all(say(language, f"pages.{key}") in line for key in told)
+    assert line.count('<details class="hint"') == 3 and line.count(">±</mo>") == 4
 
 
 def test_an_examination_tells_a_program_nothing_by_its_hints(course: Course) -> None:
