@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import secrets
 from collections import Counter
 from collections.abc import Mapping
@@ -41,6 +42,7 @@ from server.sets.standing import on_page
 from server.storage import Dealt, Draft
 from server.web import ids
 from server.web.errors import Refused
+from server.web.language import part
 from server.web.templating import counted, page
 
 SECTIONS = 13  # of the form of report TMM-2
@@ -244,6 +246,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "price": await price(bench, reader, dealt),
         "hinted": await _hinted(bench, result) if result and dealt.code else 0,
         "key": secrets.token_hex(8),
+        "phrases": json.dumps(part(reader.language, "visual"), ensure_ascii=False),
         **(await _told(bench, reader, dealt)),
         "solution": await solution_is_open(bench, reader, dealt),
     }

@@ -17,6 +17,7 @@ import { readPreview, turnstile } from "./preview.ts";
 import {
   inserted, moveOf, ordinate, placesOf, removed, rowsOf, scaleOf, withOrdinate, withPlace, type Place,
 } from "./sketch_model.ts";
+import { inWords } from "./spoken.ts";
 import { keystroke, nextKey } from "./symbols.ts";
 import { entriesOf } from "./twin.ts";
 import { latexOf } from "./visual.ts";
@@ -258,4 +259,11 @@ test("declared names are written in the visual editor as they are printed", () =
   const names = ["l1", "alpha1", "R_A", "L", "omega", "x_K", "epsilon12", "EI"];
   const printed = ["l_{1}", "\\alpha_{1}", "R_{A}", "L", "\\omega", "x_{K}", "\\epsilon_{12}", "EI"];
   assert.deepEqual(names.map(latexOf), printed);
+});
+
+test("an announcement is said phrase by phrase, the longest first, and no part of a word is a phrase", () => {
+  const phrases = { "end of": "koniec:", "end of mathfield": "koniec wzoru", over: "przez", sub: "z indeksem" };
+  assert.equal(inWords(" 'L' sub 1 over  'L'; End of mathfield", phrases), " 'L' z indeksem 1 przez  'L'; koniec wzoru");
+  assert.equal(inWords("subset overline", phrases), "subset overline");
+  assert.equal(inWords("over", {}), "over");
 });

@@ -5,6 +5,7 @@ import { answerName, announceInput, isTextField, type TextField } from "./fields
 import { ask } from "./ask.ts";
 import { check, meaning } from "./formula.ts";
 import { turnstile } from "./preview.ts";
+import { type Phrases, speakIn } from "./spoken.ts";
 
 const HERE = import.meta.url;
 const PAUSE = 300; // ms after the last key
@@ -34,6 +35,7 @@ async function load(words: DOMStringMap): Promise<MathfieldElement> {
   const { MathfieldElement: Field, version } = await import("mathlive");
   Field.fontsDirectory = [...HERE.split("/").slice(0, -1), `mathlive-${version.mathlive}`].join("/");
   Field.soundsDirectory = null;
+  Field.locale = document.documentElement.lang;
   Field.createHTML = withoutStyles;
   const made = new Field();
   made.mathVirtualKeyboardPolicy = "manual";
@@ -48,12 +50,13 @@ function names(box: HTMLElement): string[] {
   return Array.from(keys, (key) => key.dataset["insert"] ?? "").filter((name) => /^[A-Za-z]+_?\w+$/.test(name));
 }
 
-/** Makes the editor one stop of the Tab key, with the words on how to leave it and, on a phone, the phone's own keys. */
-function asOneStop(visual: MathfieldElement, help: string): void {
+/** Makes the editor one stop of the Tab key, with the words on how to leave it and those it speaks, and a phone's own keys. */
+function asOneStop(visual: MathfieldElement, help: string, phrases: Phrases): void {
   const typed = visual.shadowRoot?.querySelector("[part='keyboard-sink']");
   typed?.setAttribute("inputmode", "text");
   typed?.setAttribute("aria-description", help);
-  visual.shadowRoot?.querySelector("[aria-live]")?.setAttribute("lang", "en"); // it speaks no other language
+  const live = visual.shadowRoot?.querySelector("[aria-live]");
+  if (live && typed) speakIn(phrases, live, typed, visual.getAttribute("aria-label") ?? "");
   visual.removeAttribute("tabindex"); // the element and what stands in it would be two stops
   visual.menuItems = [];
 }
@@ -114,6 +117,10 @@ function join(field: TextField, visual: MathfieldElement, url: string): void {
   void show(turns.next());
 }
 
+function phrasesOf(box: HTMLElement): Phrases {
+  return JSON.parse(box.closest("form")?.dataset["phrases"] ?? "{}") as Phrases; // of our own page
+}
+
 /** Offers the editor of a `data-visual="id of the field"` in a form with `data-preview`. */
 export function offerVisual(box: HTMLElement): void {
   const field = document.getElementById(box.dataset["visual"] ?? "");
@@ -126,7 +133,7 @@ export function offerVisual(box: HTMLElement): void {
       const made = await load(box.dataset);
       visual = made;
       help.before(made);
-      asOneStop(made, help.textContent ?? "");
+      asOneStop(made, help.textContent ?? "", phrasesOf(box));
       letOut(made, field);
       made.inlineShortcuts = { ...made.inlineShortcuts, ...Object.fromEntries(names(box).map((name) => [name, latexOf(name)])) };
       join(field, made, url);

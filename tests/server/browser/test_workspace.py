@@ -206,6 +206,20 @@ def test_the_visual_editor_keeps_in_step_with_the_text(page: Page, site: Live) -
     )
 
 
+@pytest.mark.parametrize(
+    ("language", "said"), [("pl", "koniec: licznik"), ("en", "end of numerator"), ("ru", "конец: числитель")]
+)
+def test_the_visual_editor_speaks_the_language_of_the_page(page: Page, site: Live, language: str, said: str) -> None:
+    desk(page, site.url)
+    page.goto(f"{page.url}?lang={language}")
+    page.click(".visual button")
+    page.wait_for_selector("math-field:focus")
+    page.keyboard.type("l1/l2")
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowUp")
+    expect(page.locator("math-field [aria-live]")).to_contain_text(said)
+
+
 def test_a_lost_connection_keeps_the_answers_and_sends_them_when_it_is_back(page: Page, site: Live) -> None:
     desk(page, site.url)
     page.locator("[name='answer.l3']").press_sequentially("12,")
