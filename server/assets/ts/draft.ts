@@ -39,7 +39,8 @@ class Draft {
   private readonly cell: Cell;
   private readonly graded: string;
   private revision: number;
-  private synced: Answers;
+  private synced: Answers; // what the server has
+  private base: Answers; // what this tab and the others share: what differs was typed here
   private quarrel: string[] = [];
   private local = true;
   private timer = 0;
@@ -52,7 +53,7 @@ class Draft {
     this.key = keyOf(url);
     this.cell = draftCell(form, () => this.local);
     this.revision = Number(form.dataset["revision"] ?? 0);
-    this.synced = readAnswers(form);
+    [this.synced, this.base] = [readAnswers(form), readAnswers(form)];
     const [kept, graded] = [load(this.key), form.dataset["graded"]];
     this.graded = graded ?? kept?.graded ?? "";
     if (form.dataset["time"] !== undefined) this.cell.show("saved", new Date(form.dataset["time"]));
@@ -62,7 +63,9 @@ class Draft {
 
   /** Puts together what is here and what came from elsewhere, and asks where both changed. */
   private adopt(base: Answers, mine: Answers, theirs: Answers): void {
-    const { answers, conflicts } = merge(base, mine, theirs);
+    const merged = merge(base, mine, theirs);
+    const { answers, conflicts } = merged;
+    this.base = merged.base;
     for (const [name, text] of Object.entries(answers)) writeAnswer(this.form, name, text);
     this.quarrel = conflicts;
     this.ask();
@@ -109,8 +112,10 @@ class Draft {
 
   private accepted(answers: Answers, copy: ServerCopy): void {
     [this.synced, this.revision, this.failures] = [answers, copy.revision, 0];
+    const now = readAnswers(this.form);
+    for (const [name, text] of Object.entries(answers)) if (now[name] !== this.base[name]) this.base[name] = text;
     this.keep();
-    if (same(readAnswers(this.form), answers)) this.settled(new Date(copy.time ?? Date.now()));
+    if (same(now, answers)) this.settled(new Date(copy.time ?? Date.now()));
     else {
       this.since = 0;
       this.soon();
@@ -125,9 +130,8 @@ class Draft {
   private async reread(): Promise<void> {
     const { copy } = await call(this.url, {});
     if (copy === null) return this.failed();
-    const base = this.synced;
     [this.synced, this.revision] = [copy.answers, copy.revision];
-    this.adopt(base, readAnswers(this.form), copy.answers);
+    this.adopt(this.base, readAnswers(this.form), copy.answers);
     this.keep();
     if (this.quarrel.length === 0) await this.send();
   }
@@ -156,19 +160,24 @@ class Draft {
     const names = this.quarrel;
     this.quarrel = [];
     this.ask();
+    for (const name of names) this.base[name] = this.synced[name] ?? "";
     for (const name of theirs ? names : []) writeAnswer(this.form, name, this.synced[name] ?? "");
     this.keep();
     void this.send();
   }
 
-  /** Another tab of this browser has typed. */
+  /** Another tab of this browser has typed, or the server has taken what it typed. */
   heard(text: string | null): void {
     const kept = readKept(text, Date.now());
     if (kept === null || kept.graded !== this.graded) return;
-    const base = this.synced;
-    if (kept.revision > this.revision) [this.synced, this.revision] = [kept.synced, kept.revision];
-    const { answers } = merge(base, readAnswers(this.form), kept.answers);
-    for (const [name, answer] of Object.entries(answers)) writeAnswer(this.form, name, answer);
+    const mine = readAnswers(this.form);
+    const quarrel = merge(this.base, mine, kept.synced).conflicts;
+    const { answers, base } = merge(this.base, mine, kept.answers);
+    this.base = base;
+    for (const [name, answer] of Object.entries(answers)) if (answer !== mine[name]) writeAnswer(this.form, name, answer);
+    if (kept.revision <= this.revision) return;
+    [this.synced, this.revision, this.quarrel] = [kept.synced, kept.revision, quarrel];
+    this.ask();
   }
 
   watch(): void {

@@ -130,8 +130,9 @@ test("a draft is kept for thirty days and a damaged one is dropped", () => {
 
 test("what one side changed is taken over, what both changed is asked", () => {
   const [base, mine, theirs] = [{ a: "1", b: "2", c: "3" }, { a: "1", b: "20", c: "30" }, { a: "10", b: "2", c: "31" }];
-  assert.deepEqual(merge(base, mine, theirs), { answers: { a: "10", b: "20", c: "30" }, conflicts: ["c"] });
-  assert.deepEqual(merge({}, { a: "x" }, { a: "x" }), { answers: { a: "x" }, conflicts: [] });
+  const { answers, conflicts } = merge(base, mine, theirs);
+  assert.deepEqual({ answers, conflicts }, { answers: { a: "10", b: "20", c: "30" }, conflicts: ["c"] });
+  assert.deepEqual(merge({}, { a: "x" }, { a: "x" }), { answers: { a: "x" }, conflicts: [], base: { a: "x" } });
   assert.ok(same({ a: "" }, {}) && !same({ a: "1" }, {}));
 });
 
@@ -259,6 +260,12 @@ test("declared names are written in the visual editor as they are printed", () =
   const names = ["l1", "alpha1", "R_A", "L", "omega", "x_K", "epsilon12", "EI"];
   const printed = ["l_{1}", "\\alpha_{1}", "R_{A}", "L", "\\omega", "x_{K}", "\\epsilon_{12}", "EI"];
   assert.deepEqual(names.map(latexOf), printed);
+});
+
+test("what was taken over is no change of one's own when more of it comes", () => {
+  const first = merge({ a: "", b: "" }, { a: "", b: "mine" }, { a: "1", b: "" });
+  const then = merge(first.base, first.answers, { a: "12", b: "" });
+  assert.deepEqual([then.answers, then.conflicts], [{ a: "12", b: "mine" }, []]);
 });
 
 test("an announcement is said phrase by phrase, the longest first, and no part of a word is a phrase", () => {

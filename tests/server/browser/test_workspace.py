@@ -256,6 +256,40 @@ def test_what_is_handed_in_without_a_connection_waits_for_it(page: Page, site: L
     assert page.locator("li:has([name='answer.l3']) .verdict").count() == 1
 
 
+def test_two_tabs_that_write_different_answers_are_put_together(page: Page, site: Live) -> None:
+    desk(page, site.url)
+    other = page.context.new_page()
+    other.goto(page.url)
+    length, speed = "[name='answer.l3']", "[name='answer.v3']"
+    for key in "125,":
+        page.locator(length).press_sequentially(key)
+        other.locator(speed).press_sequentially(key)
+    page.locator(length).press_sequentially("5 mm")
+    other.locator(speed).press_sequentially("1 m/s")
+    for tab in (page, other):
+        expect(tab.locator(length)).to_have_value("125,5 mm")
+        expect(tab.locator(speed)).to_have_value("125,1 m/s")
+        expect(tab.locator("[data-draft-state]")).to_contain_text("saved")
+        assert tab.is_hidden("[data-draft-conflict]")
+    kept = page.request.get(f"{site.url}/api/v1/variants/{page.url.split('/')[-1]}/draft").json()["answers"]
+    assert (kept["l3"], kept["v3"]) == ("125,5 mm", "125,1 m/s")
+    other.close()
+
+
+def test_an_answer_that_is_changed_in_another_tab_at_once_is_what_was_typed_last(page: Page, site: Live) -> None:
+    desk(page, site.url)
+    other = page.context.new_page()
+    other.goto(page.url)
+    for tab, text in ((page, "1 mm"), (other, "1,5 mm"), (page, "2 mm")):
+        tab.fill("[name='answer.l3']", text)
+        for each in (page, other):
+            expect(each.locator("[name='answer.l3']")).to_have_value(text)
+    for tab in (page, other):
+        expect(tab.locator("[data-draft-state]")).to_contain_text("saved")
+        assert tab.input_value("[name='answer.l3']") == "2 mm" and tab.is_hidden("[data-draft-conflict]")
+    other.close()
+
+
 def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live, browser: Browser) -> None:
     desk(page, site.url)
     page.fill("[name='answer.l3']", "17 mm")
