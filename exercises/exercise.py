@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 from exercises.draw import Draw
 from exercises.givens import each, given, option
-from graders import Grader, States, Value, Verdict
+from graders import Domain, Grader, States, Value, Verdict
 from graders.common_slips import CommonSlip
 
 if TYPE_CHECKING:
@@ -48,6 +48,8 @@ class Exercise(Generic[G]):
 
     An answer whose judge needs more than the value or the formula of a step (the true states of a mechanism, the pose
     of a chain) names in `references` a function of the givens, the solved values and the drawn states that makes it.
+    What is counted off the drawing has one value in a variant; `counts` gives the range that such a step has where a
+    formula is asked for, so that the formula is judged and not its one value.
     A laboratory exercise names in `report` which answers fill the sections of report TMM-2; `machine` gives what moves
     on its page.
     The function `figure` in the folder's `figure.py` is imported when the variant is first drawn.
@@ -61,6 +63,7 @@ class Exercise(Generic[G]):
     answers: Answers | Callable[[G], Answers]
     mistakes: Mapping[str, Mistake[G]]
     references: Mapping[str, Callable[[G, Values, States], Any]] = field(default_factory=dict)
+    counts: Callable[[G], Mapping[str, Domain]] | None = None
     report: Mapping[int, tuple[str, ...]] = field(default_factory=dict)
     machine: Callable[[G], Machine] | None = None
     version: int = 1
@@ -69,6 +72,10 @@ class Exercise(Generic[G]):
     def steps_of(self, givens: G) -> Steps:
         """Give the steps of one variant in the order of solving."""
         return self.steps(givens) if callable(self.steps) else self.steps
+
+    def counts_of(self, givens: G) -> Mapping[str, Domain]:
+        """Give the ranges of the steps of one variant that are counted."""
+        return self.counts(givens) if self.counts else {}
 
     def answers_of(self, givens: G) -> Answers:
         """Give the answers asked for in one variant."""

@@ -191,16 +191,20 @@ class Solved:
 
     def states(self, step: str) -> States:
         """Give points of the givens' domain at which the variant's topology can be assembled."""
-        ranges = tuple(domains(self.variant.givens).items())
+        givens = self.variant.givens
+        ranges = (*domains(givens).items(), *self.exercise.counts_of(givens).items())
         return _states(self._formulas, ranges, step, (self.secret, self.variant.exercise, self.variant.seed % SETS))
 
     def _topology(self) -> Formulas:
         """Find the formulas of this topology: their form does not depend on the numbers of the variant."""
-        lines = tuple((name, line if isinstance(line, str) else None) for name, line in self.steps.items())
+        counted = self.exercise.counts_of(self.variant.givens)
+        formulas = {name: line for name, line in self.steps.items() if isinstance(line, str) and name not in counted}
+        lines = tuple((name, formulas.get(name)) for name in self.steps)
         matrices = frozenset(name for name in self.steps if isinstance(self.values[name], tuple))
-        return _formulas(
-            tuple(name for name, value in self._start.items() if not isinstance(value, str)), lines, matrices
-        )
+        return _formulas((*self._numbers(), *counted), lines, matrices)
+
+    def _numbers(self) -> Iterator[str]:
+        return (name for name, value in self._start.items() if not isinstance(value, str))
 
 
 @lru_cache(maxsize=1024)
