@@ -24,7 +24,7 @@ GRADER_VERSION = "1"
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
 OFF = (Outcome.PARTLY, Outcome.WRONG)
 MOST_TRIED = 120  # slips in lines that are not asked for
-MEASURED = ("quantity", "matrix")
+MEASURED = ("quantity", "matrix", "set")
 
 
 @dataclass(frozen=True, slots=True)
@@ -345,7 +345,7 @@ class Seen:
         A given misread is told by two wrong answers; by one only where it is a prefix, so far off as chance is not.
         """
         first, given = self.off[0], name not in self.solved.steps
-        if self.solved.answers[first].kind not in (MEASURED if given else (*MEASURED, "set")):
+        if self.solved.answers[first].kind not in MEASURED:
             return False
         if given and len(self.off) < 2 and slip is not CommonSlip.KILO_PREFIX:
             return False

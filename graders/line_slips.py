@@ -27,6 +27,7 @@ def slips_in(line: Tree) -> tuple[Changed, ...]:
 def _throughout(line: Tree) -> Iterator[Changed]:
     """Change every sine, or every occurrence of a name."""
     yield CommonSlip.SINE_COSINE, mapped(line, _turned)
+    yield CommonSlip.FACTOR_LOST, mapped(line, _unprojected)
     for stem in {name.rstrip("0123456789") for name in names(line)}:
         yield CommonSlip.FACTOR_LOST, mapped(line, _without(stem))
     entries = dict.fromkeys(node for node in walk(line) if isinstance(node, Index))
@@ -84,6 +85,17 @@ def _turned(node: Tree) -> Tree:
     if isinstance(node, Call) and node.function in ("sin", "cos"):
         return Call(SWAPPED[node.function][0], node.arguments)
     return node
+
+
+def _unprojected(node: Tree) -> Tree:
+    """Leave out a sine or a cosine that stands as a factor."""
+    match node:
+        case Binary(operator="*", left=left, right=Call(function="sin" | "cos")):
+            return left
+        case Binary(operator="*", left=Call(function="sin" | "cos"), right=right):
+            return right
+        case _:
+            return node
 
 
 def _anywhere(tree: Tree, inside: bool = False) -> Iterator[Changed]:
@@ -180,9 +192,23 @@ def _in_product(tree: Binary) -> Iterator[Changed]:
     yield CommonSlip.UPSIDE_DOWN, replace(tree, operator="*" if over else "/", implicit=False)
     if over:
         yield CommonSlip.UPSIDE_DOWN, Binary("/", right, left)
+        for factor, rest in _split(left):
+            yield CommonSlip.UPSIDE_DOWN, Binary("/", Binary("*", factor, right), rest)
     if not (isinstance(left, Binary) and left.operator in "*/") or _plain_quotient(left):
         rest = Binary("/", Number("1"), right) if over else right
         yield CommonSlip.FACTOR_LOST, Unary("-", rest) if isinstance(left, Unary) else rest
+
+
+def _split(product: Tree) -> Iterator[tuple[Tree, Tree]]:
+    """Give each factor of a product with the product of the others; the sign goes with the others."""
+    match product:
+        case Unary(operator="-", operand=operand):
+            yield from ((factor, Unary("-", rest)) for factor, rest in _split(operand))
+        case Binary(operator="*", left=Binary(operator="*") | Unary() as left, right=right):
+            yield right, left
+            yield from ((factor, Binary("*", rest, right)) for factor, rest in _split(left))
+        case Binary(operator="*", left=left, right=right):
+            yield from ((right, left), (left, right))
 
 
 def _plain_quotient(tree: Tree) -> bool:

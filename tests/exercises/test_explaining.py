@@ -24,6 +24,7 @@ CRANK = variants.deal("slider_crank", 1)
 BEAM = variants.deal("simple_beam", 2)
 ARM = variants.deal("rrr_matrices", 1)
 PAIRS = variants.deal("mobility", 3)
+BARS = variants.deal("four_bar", 1)
 
 
 def handed_in(variant: Variant, **changed: str) -> Grade:
@@ -146,6 +147,25 @@ def test_slips_in_a_line_are_different_lines() -> None:
     assert len(written) == len(found) and text_of(line) not in written
     assert {"(l1*sin(alpha1) - sqrt(l2^2 - a^2))/l2", "(l1*cos(alpha1) + sqrt(l2^2 - a^2))/l2"} <= written
     assert {"(l1*cos(alpha1) - sqrt(l2 - a^2))/l2", "(l2*cos(alpha1) - sqrt(l1^2 - a^2))/l1"} <= written
+
+
+@pytest.mark.parametrize(
+    ("slip", "line"),
+    [
+        (CommonSlip.FACTOR_LOST, "-l1*omega1/l2"),
+        (CommonSlip.UPSIDE_DOWN, "-l2*omega1*cos(alpha2)/(l1*cos(alpha1))"),
+    ],
+)
+def test_projections_are_forgotten_together_and_a_quotient_is_turned_over_beside_a_factor(
+    slip: CommonSlip, line: str
+) -> None:
+    assert handed_in(CRANK, omega2_formula=line).slip is slip
+
+
+def test_a_given_that_is_misread_is_told_by_a_set_and_what_follows() -> None:
+    judges, values = solved(BARS).answers, solved(BARS).again(replaced={"alpha1": "-alpha1"})
+    typed = {name: judges[name].show(values[name]) for name in judges}
+    assert handed_in(BARS, **typed).slip is CommonSlip.OPPOSITE_SIGN
 
 
 # follow-through

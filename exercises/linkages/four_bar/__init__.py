@@ -115,12 +115,19 @@ def rocker_angle(assemblies: Value) -> float:
 
 
 ROCKER = "atan2(l1*sin(alpha1) + l2*sin({0}); l1*cos(alpha1) + l2*cos({0}) - l4)"
+WITHOUT_CRANK = "atan2(l2*sin({0}); l2*cos({0}) - l4)"
+WITHOUT_FRAME = "atan2(l1*sin(alpha1) + l2*sin({0}); l1*cos(alpha1) + l2*cos({0}))"
 SIDES = {  # the closure differentiated twice, times the directions of rocker and coupler
     "epsilon2": "-(l1*epsilon1*sin(alpha3 - alpha1) - l1*omega1^2*cos(alpha3 - alpha1)"
     " - l2*omega2^2*cos(alpha3 - alpha2) + l3*omega3^2)/(l2*sin(alpha3 - alpha2))",
     "epsilon3": "-(l1*epsilon1*sin(alpha2 - alpha1) - l1*omega1^2*cos(alpha2 - alpha1) - l2*omega2^2"
     " + l3*omega3^2*cos(alpha3 - alpha2))/(l3*sin(alpha3 - alpha2))",
 }
+
+
+def _rocker(line: str) -> Mistake[Givens]:
+    """The same slip in the rocker's angle of both assemblies."""
+    return Mistake(alpha31=line.format("alpha21"), alpha32=line.format("alpha22"))
 
 
 def _without(*terms: str) -> dict[str, str]:
@@ -163,9 +170,12 @@ EXERCISE = Exercise(
     },
     mistakes={
         "diagonal_forgotten": Mistake(gamma="0"),
-        "rocker_reversed": Mistake(
-            alpha31=f"{ROCKER.format('alpha21')} + pi", alpha32=f"{ROCKER.format('alpha22')} + pi"
+        "crank_side": Mistake(
+            f="sqrt((l4 + l1*cos(alpha1))^2 + (l1*sin(alpha1))^2)", gamma="atan2(-l1*sin(alpha1); l4 + l1*cos(alpha1))"
         ),
+        "rocker_reversed": _rocker(f"{ROCKER} + pi"),
+        "crank_forgotten": _rocker(WITHOUT_CRANK),
+        "frame_forgotten": _rocker(WITHOUT_FRAME),
         "degrees_as_radians": Mistake(alpha1="alpha1*180/pi"),
         "other_assembly": Mistake(
             alpha2=lambda assemblies: assemblies[1][0],

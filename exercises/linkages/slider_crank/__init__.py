@@ -62,9 +62,11 @@ EXERCISE = Exercise(
     },
     mistakes={
         "lost_minus": Mistake(alpha2="asin(l1*sin(alpha1)/l2)"),
+        "other_arc": Mistake(alpha2="pi + asin(l1*sin(alpha1)/l2)"),
         "sine_for_cosine": Mistake(omega2="-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"),
         "degrees_as_radians": Mistake(alpha1="alpha1*180/pi"),
         "speed_lost_minus": Mistake(omega2="l1*omega1*cos(alpha1)/(l2*cos(alpha2))"),
         "rod_term_lost": Mistake(v3="-l1*omega1*sin(alpha1)"),
+        "speed_of_the_pin": Mistake(v3="l1*omega1"),
     },
 )

@@ -101,6 +101,8 @@ EXERCISE: Exercise[Givens] = Exercise(
         "turns_a_second": Mistake(lambda givens: {"omega1": f"{sign(givens)}n/60"}),
         "other_sense": Mistake(lambda givens: {"omega1": "-2*pi*n/60" if sign(givens) == "" else "2*pi*n/60"}),
         "radius_for_stroke": Mistake(H="l1"),
+        "rod_for_stroke": Mistake(H="2*l2"),
+        "sum_for_stroke": Mistake(H="l1 + l2"),
         "start_at_zero": Mistake(cycle=lambda l1, l2, omega1, T: cycle(l1, l2, 0.0, omega1, T)),
         "long_rod": Mistake(cycle=lambda l1, l2, alpha0, omega1, T: long_rod(l1, l2, alpha0, omega1, T)),
         "steady_rod": Mistake(cycle=lambda l1, l2, alpha0, omega1, T: steady_rod(l1, l2, alpha0, omega1, T)),

@@ -121,7 +121,7 @@ def ratio_inverted(givens: Givens) -> Steps:
 
 def fixed_axes(givens: Givens) -> Steps:
     """The carrier taken for fixed: the ratio seen from it given as the answer."""
-    return {"u": "u0" if givens.held == "last" else "1/u0"}
+    return {"u": ratio(givens, "u0" if givens.held == "last" else "1/u0")}
 
 
 def internal_as_external(givens: Givens) -> Steps:
@@ -135,14 +135,35 @@ def external_once(givens: Givens) -> Steps:
     return {"u0": "-" + inversion(givens.wheels)} if isinstance(givens.wheels[-1], Outer) else {}
 
 
-def planet_kept(givens: Givens) -> Steps:
-    """The planet taken for the sun: its teeth kept in the ratio."""
-    return {"u0": "-z3/z2"} if len(givens.wheels) == 3 else {}
+def of_single(line: str) -> Mistake[Givens]:
+    """A slip that has no occasion where the planet has two rims."""
+
+    def lines_of(givens: Givens) -> Steps:
+        return {"u0": line} if len(givens.wheels) == 3 else {}
+
+    return Mistake(lines_of)
+
+
+def first_stage_lost(givens: Givens) -> Steps:
+    """The stage of wheels 3 and 4 taken for the whole ratio."""
+    last = givens.wheels[-1]
+    return {"u0": "-z4/z3" if isinstance(last, Outer) else "z4/z3"} if len(givens.wheels) == 4 else {}
+
+
+def fixed_reciprocal(givens: Givens) -> Steps:
+    """The ratio seen from the carrier, and that upside down."""
+    return {"u": ratio(givens, "u0" if givens.held == "first" else "1/u0")}
 
 
 def planet_as_seen(givens: Givens) -> Steps:
     """The speed of the planet against the carrier given as its speed."""
     return {"n_2": "-z1/z2*(" + planet_speed(givens).partition("*(")[2]}
+
+
+def carrier_forgotten(givens: Givens) -> Steps:
+    """The planet taken to turn about an axis at rest, so that a first wheel at rest holds it."""
+    first = "0" if givens.held == "first" else "n_in" if givens.driver == "wheel" else "n_out"
+    return {"n_2": f"-z1/z2*{first}"}
 
 
 EXERCISE = Exercise(
@@ -166,8 +187,14 @@ EXERCISE = Exercise(
         "internal_as_external": Mistake(internal_as_external),
         "external_once": Mistake(external_once),
         "one_mesh_only": Mistake(u0="-z2/z1"),
-        "planet_kept": Mistake(planet_kept),
+        "first_stage_lost": Mistake(first_stage_lost),
+        "planet_kept": of_single("-z3/z2"),
+        "planet_twice": of_single("-z3*z2/z1"),
+        "sum_for_ratio": of_single("-(z3 + z1)/z1"),
+        "fixed_reciprocal": Mistake(fixed_reciprocal),
+        "by_u0": Mistake(n_out="n_in/u0"),
         "planet_as_seen": Mistake(planet_as_seen),
+        "carrier_forgotten": Mistake(carrier_forgotten),
     },
     minutes=15,
 )
