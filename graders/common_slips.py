@@ -37,7 +37,7 @@ class CommonSlip(StrEnum):
 
 Slips = frozenset[CommonSlip]
 NONE: Slips = frozenset()
-Dimension = tuple[int, ...]  # the fourth exponent is that of the angle, the third that of time
+Dimension = tuple[int, ...]  # exponents: the first is that of length, the third of time, the fourth of the angle
 BY_CODE = {
     Code.OPPOSITE_SIGN: CommonSlip.OPPOSITE_SIGN,
     Code.OPPOSITE_CONVENTION: CommonSlip.OPPOSITE_SIGN,
@@ -109,5 +109,5 @@ def _listed(dimension: Dimension) -> Iterator[tuple[CommonSlip, float]]:
         if dimension[3] and dimension[2] == -1:
             yield from ((CommonSlip.TURNS_RADIANS, factor**sign) for factor in (2 * pi, 60.0, 30 / pi))
         yield CommonSlip.PI_LOST, pi**sign
-        if any(dimension):
+        if dimension[0]:
             yield from ((CommonSlip.DIAMETER_RADIUS, factor**sign) for factor in (4.0, 8.0, 16.0))

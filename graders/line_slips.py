@@ -216,6 +216,17 @@ def _plain_quotient(tree: Tree) -> bool:
     return isinstance(tree, Binary) and tree.operator == "/" and not isinstance(tree.left, Binary)
 
 
+def _bases(squares: Tree) -> Tree | None:
+    """Draw the root of each square of a sum on its own."""
+    match squares:
+        case Binary(operator="^", left=base, right=Number(exponent=0, digits="2")):
+            return base
+        case Binary(operator="+", left=left, right=right) if (one := _bases(left)) and (other := _bases(right)):
+            return Binary("+", one, other)
+        case _:
+            return None
+
+
 def _in_call(tree: Call) -> Iterator[Changed]:
     slip = CommonSlip.SINE_COSINE if tree.function in ("sin", "cos") else CommonSlip.OTHER_FUNCTION
     for other in SWAPPED.get(tree.function, ()):
@@ -225,6 +236,8 @@ def _in_call(tree: Call) -> Iterator[Changed]:
     match tree:
         case Call(function="sqrt", arguments=(inner,)):
             yield CommonSlip.POWER, inner
+            if isinstance(inner, Binary) and (bases := _bases(inner)):
+                yield from ((CommonSlip.POWER, found) for found in (bases, Call("abs", (bases,))))
         case Call(function="root", arguments=(inner, Number(digits=degree))):
             yield CommonSlip.POWER, Call("root", (inner, Number("2" if degree != "2" else "3")))
             yield CommonSlip.POWER, Call("root", (inner, Number("3" if degree == "4" else "4")))

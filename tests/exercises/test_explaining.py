@@ -162,6 +162,18 @@ def test_projections_are_forgotten_together_and_a_quotient_is_turned_over_beside
     assert handed_in(CRANK, omega2_formula=line).slip is slip
 
 
+def test_a_root_drawn_from_each_term_of_a_sum_is_a_slip_in_the_root() -> None:
+    found = slips_in(parse_line("sqrt(v_x^2 + v_y^2)"))
+    assert {(CommonSlip.POWER, "v_x + v_y"), (CommonSlip.POWER, "abs(v_x + v_y)")} <= {
+        (slip, text_of(tree)) for slip, tree in found
+    }
+
+
+@pytest.mark.parametrize("unit", ["deg", "s", "rad/s"])
+def test_what_has_no_length_in_its_unit_is_not_put_down_to_a_radius(unit: str) -> None:
+    assert CommonSlip.DIAMETER_RADIUS not in off_by(4.0, 1e-4, read_unit(unit).dimension)
+
+
 def test_a_given_that_is_misread_is_told_by_a_set_and_what_follows() -> None:
     judges, values = solved(BARS).answers, solved(BARS).again(replaced={"alpha1": "-alpha1"})
     typed = {name: judges[name].show(values[name]) for name in judges}

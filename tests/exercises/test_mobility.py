@@ -76,6 +76,17 @@ def test_what_was_counted_is_told_by_all_that_follows(variant: Variant, step: st
     assert made(variant, **{step: f"{reference(variant)[step]} + {by}"}).mistake == mistake
 
 
+def test_an_n_that_counts_the_frame_is_told_where_the_formulas_allow_for_it() -> None:
+    n = f"{reference(GEARS)['n']} + 1"
+    found = made(GEARS, n=n, F="3*(n - 1) - 2*p5 - p4", k="p5 + p4 - n + 1")
+    assert (found.mistake, found.verdicts["F"].code, found.verdicts["k"].code) == ("frame_in_n", Code.RIGHT, Code.RIGHT)
+
+
+def test_guides_put_into_the_other_class_are_told() -> None:
+    pairs = f"{reference(GEARS)['p5']} - 1"
+    assert made(GEARS, p5=pairs, p4="2").mistake == "guide_as_higher"
+
+
 def test_each_reading_of_a_pair_too_many_has_one_name() -> None:
     """Where a contact or a joint of three links explains it, the hint of that slip names the other reading too."""
     named = [set(variants.predictions(solved(variants.deal("mobility", seed)))) for seed in range(20)]

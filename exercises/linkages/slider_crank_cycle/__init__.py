@@ -98,6 +98,7 @@ EXERCISE: Exercise[Givens] = Exercise(
     },
     mistakes={
         "turns_as_radians": Mistake(lambda givens: {"omega1": f"{sign(givens)}n"}),
+        "sixty_forgotten": Mistake(lambda givens: {"omega1": f"{sign(givens)}2*pi*n"}),
         "turns_a_second": Mistake(lambda givens: {"omega1": f"{sign(givens)}n/60"}),
         "other_sense": Mistake(lambda givens: {"omega1": "-2*pi*n/60" if sign(givens) == "" else "2*pi*n/60"}),
         "radius_for_stroke": Mistake(H="l1"),

@@ -33,6 +33,11 @@ def frame_counted(givens: Givens) -> Steps:
     return links(givens, 1)
 
 
+def frame_in_n(givens: Givens) -> Steps:
+    """The frame counted, and formulas that allow for it: what follows is right."""
+    return {**links(givens, 1), "F": "3*(n - 1) - 2*p5 - p4", "k": "p5 + p4 - n + 1"}
+
+
 def rods_counted_twice(givens: Givens) -> Steps:
     """Two links too many: a rod taken for one link from each joint to the next."""
     return links(givens, 2)
@@ -82,6 +87,12 @@ def one_pair_more(givens: Givens) -> Steps:
     return pairs(givens, 1) if double_joints(givens.parts) != 1 and not total(givens, "contacts") else {}
 
 
+def guide_as_higher(givens: Givens) -> Steps:
+    """The pairs of slider and guide put into the other class."""
+    both = total(givens, "contacts") + total(givens, "guides")
+    return {**guide_forgotten(givens), "p4": str(both)} if total(givens, "guides") else {}
+
+
 def sliders_left_out(givens: Givens) -> Steps:
     """The sliders taken neither for links nor for pairs."""
     return {**slider_forgotten(givens), **guide_forgotten(givens)}
@@ -113,6 +124,7 @@ def where(what: str, **lines: str) -> Mistake[Givens]:
 
 COUNTED: dict[str, Mistake[Givens]] = {
     "frame_counted": Mistake(frame_counted),
+    "frame_in_n": Mistake(frame_in_n),
     "rods_counted_twice": Mistake(rods_counted_twice),
     "slider_forgotten": Mistake(slider_forgotten),
     "one_link_less": Mistake(one_link_less),
@@ -122,6 +134,7 @@ COUNTED: dict[str, Mistake[Givens]] = {
     "guide_forgotten": Mistake(guide_forgotten),
     "one_pair_less": Mistake(one_pair_less),
     "one_pair_more": Mistake(one_pair_more),
+    "guide_as_higher": Mistake(guide_as_higher),
     "sliders_left_out": Mistake(sliders_left_out),
     "frame_joints_forgotten": Mistake(frame_joints_forgotten),
     "contact_as_joint": Mistake(contact_as_joint),
