@@ -138,6 +138,7 @@ EXERCISE = Exercise(
         "sign_by_wheels": Mistake(slips.sign_by_wheels),
         "internal_as_external": Mistake(slips.internal_as_external),
         "axes_apart": Mistake(slips.axes_apart),
+        "losses_in_speed": Mistake(n_out="n_in/u*eta"),
         "efficiency_once": Mistake(M_out="M_in*u*eta"),
         "torque_divided": Mistake(slips.torque_divided),
     },
