@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -19,11 +20,22 @@ Laid: TypeAlias = Callable[..., Settings]
 REQUIRED = os.environ.get("GRUBLER_REQUIRE", "").split(",")
 STORE = os.environ.get("GRUBLER_TEST_STORE", "sqlite")
 ELSEWHERE = {"browser", "site", "live"}  # what these need is tried in a browser or a process, on the embedded store
+HERE = Path(__file__).parent
+BEGINS = {"gw1": "mechanics", "gw2": "server"}  # rooms with a third of the modules before them, and two thirds
 
 examples.register_profile(
     "grubler", max_examples=amount(30, 100), deadline=None, suppress_health_check=[HealthCheck.too_slow]
 )
 examples.load_profile("grubler")  # how long an example takes tells how busy the machine is
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Let each process that collects all tests begin in another room: what one compiles, the others find compiled."""
+    first = BEGINS.get(os.environ.get("PYTEST_XDIST_WORKER", ""))
+    if first and [Path(arg).resolve() for arg in config.args] == [HERE]:
+        rooms = sorted(str(path.parent) for path in HERE.glob("*/__init__.py"))
+        start = rooms.index(str(HERE / first))
+        config.args = rooms[start:] + rooms[:start]
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -33,7 +45,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         needed = set(getattr(item, "fixturenames", ()))
         if "chosen" in needed and not needed & ELSEWHERE:
             item.add_marker("store")
-    items.sort(key=lambda item: "browser" not in getattr(item, "fixturenames", ()))
+    items.sort(key=_place)
+
+
+def pytest_collection_finish() -> None:
+    """Look for no garbage among what was imported and collected: it stays to the end."""
+    gc.freeze()
+
+
+def _place(item: pytest.Item) -> tuple[bool, str]:
+    return "browser" not in getattr(item, "fixturenames", ()), item.path.relative_to(HERE).parts[0]
 
 
 @pytest.fixture(scope="session")

@@ -16,9 +16,10 @@ from server.database import secret_of
 from server.people import tokens
 from server.policy import Role
 from server.settings import Settings, SettingsError
+from tests.depth import amount
 from tests.server.conftest import Live
 
-CYCLES = 2
+CYCLES = amount(1, 2)
 EACH = 5
 
 
@@ -121,10 +122,10 @@ def test_the_store_is_brought_up_to_date_and_served(
     assert (served[0].host, served[0].port, served[0].proxy_headers) == ("::1", 8123, False)
 
 
-def test_the_address_is_told_once_the_server_listens(live: Live) -> None:
-    listens, first = live.said().splitlines()
-    assert listens == f"Grübler listens at http://127.0.0.1:{live.port}"
-    assert f"http://127.0.0.1:{live.port}/links/" in first
+def test_the_address_is_told_once_the_server_listens(site: Live) -> None:
+    listens, first = site.said().splitlines()
+    assert listens == f"Grübler listens at http://127.0.0.1:{site.port}"
+    assert f"http://127.0.0.1:{site.port}/links/" in first
 
 
 def test_a_port_that_is_taken_is_no_success(tmp_path: Path, capsys: Any) -> None:

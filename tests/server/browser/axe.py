@@ -8,6 +8,7 @@ from typing import Any, Literal, TypeAlias
 from playwright.sync_api import Page, ViewportSize
 
 Colour: TypeAlias = Literal["light", "dark"]
+Sight: TypeAlias = tuple[ViewportSize, Colour]
 WIDE, NARROW = ViewportSize(width=1360, height=900), ViewportSize(width=360, height=800)
 SOURCE = (Path(__file__).parents[3] / "server/assets/node_modules/axe-core/axe.min.js").read_text("utf-8")
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
