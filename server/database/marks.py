@@ -27,8 +27,12 @@ DOUBTFUL = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean())
 
 NONE: Mapping[str, Any] = {}
 
-AT_ONCE = 1000  # receipts in one query
+AT_ONCE = 1000  # receipts or variants in one query
+MOST_WEIGHTS = 20_000  # variants whose weights are remembered
 THESE = select(submissions).where(submissions.c.receipt.in_(bindparam("receipts", expanding=True)))
+FIELDS = select(deck.c.variant, deck.c.shown[DEFAULT, "answers"].label("answers")).where(
+    deck.c.variant.in_(bindparam("variants", expanding=True))
+)
 ON = select(marks).where(marks.c.submission == bindparam("receipt")).order_by(marks.c.id)
 
 
@@ -37,6 +41,7 @@ class Marks:
 
     def __init__(self, connections: Connections) -> None:
         self._connections = connections
+        self._weights: dict[str, Mapping[str, float]] = {}
 
     async def give(self, given: Sequence[Mark], entry: Entry | None = None) -> None:
         """Store marks together."""
@@ -56,10 +61,18 @@ class Marks:
         """Give the weights of the answers of those variants in a set of which some answer is marked."""
         marked = select(submissions.c.variant).join(marks).where(marks.c.answer.is_not(None))
         here = _within(select(deck.c.variant), task_set, person).where(deck.c.variant.in_(marked))
-        card = deck.alias()  # of the others nothing is read: what they show is long
-        query = select(card.c.variant, card.c.shown[DEFAULT, "answers"].label("answers"))
-        rows = await self._rows(query.where(card.c.variant.in_(here)))
-        return {row["variant"]: {n: field["weight"] for n, field in row["answers"].items()} for row in rows}
+        asked = [row["variant"] for row in await self._rows(here)]
+        known = {one: self._weights[one] for one in asked if one in self._weights}
+        return {**known, **await self._read_weights([one for one in asked if one not in known])}
+
+    async def _read_weights(self, variants: Sequence[str]) -> Mapping[str, Mapping[str, float]]:
+        """Read weights from cards, what they show is long, and remember them: what was published does not change."""
+        rows = [row for part in _parts(variants) for row in await self._rows(FIELDS, {"variants": part})]
+        found = {row["variant"]: {n: field["weight"] for n, field in row["answers"].items()} for row in rows}
+        if len(self._weights) + len(found) > MOST_WEIGHTS:
+            self._weights.clear()
+        self._weights.update(found)
+        return found
 
     async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
         """List the cards that were opened in a set, by slot and turn."""
@@ -80,8 +93,7 @@ class Marks:
 
     async def with_receipts(self, receipts: Sequence[str]) -> Mapping[str, Handed]:
         """Give what was handed in under some receipts."""
-        parts = [receipts[at : at + AT_ONCE] for at in range(0, len(receipts), AT_ONCE)]
-        rows = [row for part in parts for row in await self._rows(THESE, {"receipts": part})]
+        rows = [row for part in _parts(receipts) for row in await self._rows(THESE, {"receipts": part})]
         return {row["receipt"]: Handed(**row) for row in rows}
 
     async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:
@@ -107,6 +119,10 @@ class Marks:
         )
 
 
+def _parts(names: Sequence[str]) -> list[Sequence[str]]:
+    return [names[at : at + AT_ONCE] for at in range(0, len(names), AT_ONCE)]
+
+
 def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
     found = query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
     return found if person is None else found.where(deck.c.person == person)
@@ -122,9 +138,10 @@ def _lines(connection: Connection, task_set: str, person: str | None) -> list[Li
     )  # fmt: skip
     opened = moments(connection, task_set)
     rows = connection.execute(_graded(light, task_set, person)).all()
+    scored = {row[6]: {"score": row[6], "verdicts": NONE} for row in rows}  # there are few different ones
     found = [
         Line(
-            slot, who, variant, receipt, at, whole or {"score": score, "verdicts": NONE}, counted,
+            slot, who, variant, receipt, at, whole or scored[score], counted,
             before(opened, variant, at) if opened else 0,
         )
         for slot, who, variant, receipt, at, whole, score, counted in rows

@@ -50,7 +50,12 @@ def left_open(line: Line, given: Given) -> list[str]:
 
 def entries(lines: Iterable[Line], marks: Mapping[str, Given], weights: Weights, rules: Rules) -> tuple[Entry, ...]:
     """Make the ledger of a slot: marks by hand are counted in."""
-    return tuple([_entry(line, marks.get(line.receipt, NONE), weights.get(line.variant, {}), rules) for line in lines])
+    return tuple([
+        Entry(line.receipt, line.time, line.grade["score"], line.counted, False, line.hints)
+        if line.receipt not in marks
+        else _marked(line, marks[line.receipt], weights.get(line.variant, {}), rules)
+        for line in lines
+    ])  # fmt: skip
 
 
 def unsettled(
@@ -60,20 +65,18 @@ def unsettled(
 
     Where the best counts, full points stand whatever comes; where the last counts, only what came after it matters.
     """
+    doubtful = [line for line in lines if line.grade["verdicts"]]
     if rules.keep == "best":
-        seen = [] if share is not None and share >= 1 else lines
+        seen = [] if share is not None and share >= 1 else doubtful
     else:
-        seen = [line for line in lines if kept is None or line.time >= kept.time]
+        seen = [line for line in doubtful if kept is None or line.time >= kept.time]
     return {
-        line.grade["verdicts"][name]["code"]
-        for line in seen
-        if line.grade["verdicts"]
-        for name in left_open(line, marks.get(line.receipt, NONE))
+        line.grade["verdicts"][name]["code"] for line in seen for name in left_open(line, marks.get(line.receipt, NONE))
     }
 
 
-def _entry(line: Line, given: Given, weights: Mapping[str, float], rules: Rules) -> Entry:
-    return Entry(line.receipt, line.time, earned(line, given, weights, rules), line.counted, bool(given), line.hints)
+def _marked(line: Line, given: Given, weights: Mapping[str, float], rules: Rules) -> Entry:
+    return Entry(line.receipt, line.time, earned(line, given, weights, rules), line.counted, True, line.hints)
 
 
 def _verdicts(line: Line) -> Iterable[tuple[str, Mapping[str, object]]]:

@@ -100,7 +100,8 @@ async def waiting(bench: Bench, task_set: TaskSet) -> list[Left]:
 
 async def waiting_in(bench: Bench, task_set: TaskSet, lines: Sequence[Line], marks: Mapping[str, Given]) -> list[Left]:
     """List what is still to be settled in submissions that were read already, given the marks by hand."""
-    opened = [(line, name) for line in lines for name in left_open(line, marks.get(line.receipt, {}))]
+    doubtful = [line for line in lines if line.grade["verdicts"]]
+    opened = [(line, name) for line in doubtful for name in left_open(line, marks.get(line.receipt, {}))]
     handed = await bench.marks.with_receipts(sorted({line.receipt for line, _ in opened}))
     numbers = {slot.id: slot.number for slot in task_set.slots}
     found: dict[tuple[int, str, str, str], list[Line]] = {}

@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from graders import Code
 from server.alphabet import alphabetical
@@ -38,8 +38,7 @@ class Store(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
+class Cell(NamedTuple):
     """A task of a student.
 
     Attributes:
@@ -270,19 +269,18 @@ def cell(slot: Slot, card: DealtCard | None, lines: Sequence[Line], found: Mater
     share = None if best is None else reached(best, own.due, rules)
     codes = unsettled(lines, found.marks, best, share, rules)
     state = None if not codes else "fault" if codes == {Code.FAULT.value} else "undecided"
+    counted = sum([line.counted for line in lines])
+    if best is None or share is None:
+        return Cell(slot, card, len(lines), counted, None, 0.0, 0.0, 0.0, None, False, False, 0, state)
     return Cell(
-        slot, card, len(lines), sum([line.counted for line in lines]), share, round((share or 0.0) * slot.points, 3),
-        *_losses(slot, best, share, own, rules), best.receipt if best else None,
-        bool(best and own.due and best.time > own.due),
-        bool(best and best.settled), best.hints if best else 0, state,
+        slot, card, len(lines), counted, share, round(share * slot.points, 3), *_losses(slot, best, share, own, rules),
+        best.receipt, own.due is not None and best.time > own.due, best.settled, best.hints, state,
     )  # fmt: skip
 
 
-def _losses(
-    slot: Slot, best: Entry | None, share: float | None, own: Window, rules: Rules
-) -> tuple[float, float]:  # fmt: skip
+def _losses(slot: Slot, best: Entry, share: float, own: Window, rules: Rules) -> tuple[float, float]:
     """Give the points that lateness took off a submission, and those that hints took off what was left."""
-    if best is None or share is None or share >= best.share:
+    if share >= best.share:
         return 0.0, 0.0
     full, net = best.share * slot.points, round(share * slot.points, 3)
     on_time = round(full * worth(best.time, own.due, rules), 3)

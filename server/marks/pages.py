@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from fastapi import APIRouter, Depends, Request
-from markupsafe import Markup
+from markupsafe import Markup, escape
 from pydantic import ValidationError
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
@@ -22,7 +22,7 @@ from server.courses.zones import told
 from server.marks import giving, gradebook
 from server.marks.asking import asked, chosen, in_words
 from server.marks.giving import NewMark, Settling
-from server.marks.gradebook import Cell, Gradebook
+from server.marks.gradebook import Cell, Gradebook, Row
 from server.marks.history import history
 from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
@@ -36,6 +36,7 @@ from server.web.language import say
 from server.web.templating import decimal, page
 
 MOST_OPEN = 50  # open answers on a page
+OPEN = "\ue000", "\ue001"  # where the address and the name of a student will stand
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
@@ -59,7 +60,7 @@ async def show_results(task_set: str, request: Request, bench: Tools, reader: As
     context = {
         "book": found,
         "summary": summary(found),
-        "priced": any(cell.hints for row in found.rows for cell in row.cells),
+        "priced": any([cell.hints for row in found.rows for cell in row.cells]),
         "asked": asked(found.task_set, reader.language),
         "left": left[:MOST_OPEN],
         "more_left": len(left) - len(left[:MOST_OPEN]),
@@ -192,7 +193,7 @@ def _common(reader: Reader) -> dict[str, Any]:
         "course": course,
         **told(reader.language, clock.zone(course.time_zone)),
         "told": partial(_told, reader.language),
-        "once": _once,
+        "once": once,
     }
 
 
@@ -205,15 +206,19 @@ def _signed(language: str, value: float) -> str:
     return _rounded(language, value, places=2).replace("-", "−")
 
 
-def _once(draw: Callable[[Cell], Markup]) -> Callable[[Cell], Markup]:
-    """Draw cells that look alike once: a class has thousands, and few different ones."""
-    drawn: dict[object, Markup] = {}
+def once(draw: Callable[[Cell, str, str], Markup]) -> Callable[[Row, str], Markup]:
+    """Draw cells that look alike once: a class has thousands, and few different ones.
 
-    def found(cell: Cell) -> Markup:
-        look = cell.look
-        if look not in drawn:
-            drawn[look] = draw(cell)
-        return drawn[look]
+    What is drawn leaves the address and the name of the student open; the cells of a row are filled in together.
+    """
+    drawn: dict[object, str] = {}
+
+    def found(row: Row, address: str) -> Markup:
+        for cell in row.cells:
+            if cell.look not in drawn:
+                drawn[cell.look] = str(draw(cell, *OPEN))
+        cells = "".join([drawn[cell.look] for cell in row.cells])
+        return Markup(cells.replace(OPEN[0], escape(address)).replace(OPEN[1], escape(row.member.person.name)))
 
     return found
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import StrEnum
 from math import ceil
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -146,8 +146,7 @@ def _earned(verdict: Verdict, rules: Rules) -> float:
     return rules.follow_through if verdict.code is Code.FOLLOWED else verdict.score
 
 
-@dataclass(frozen=True, slots=True)
-class Entry:
+class Entry(NamedTuple):
     """A line of the ledger: a submission, what share it earned, whether it used up an attempt, and whether the lecturer
     has settled it; `hints` were opened at a price before it."""
 
@@ -171,7 +170,7 @@ def reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
 
 
 def _reached(entry: Entry, due: datetime | None, rules: Rules) -> float:
-    share = entry.share * worth(entry.time, due, rules)
+    share = entry.share * worth(entry.time, due, rules) if rules.late == "reduced" else entry.share
     return share * left_of_hints(entry.hints, rules) if entry.hints else share
 
 

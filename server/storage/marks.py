@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from server.storage.audit import Entry
 from server.storage.practice import Draft, Handed
@@ -34,8 +34,7 @@ class Mark:
     number: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class DealtCard:
+class DealtCard(NamedTuple):
     """A card that a student has opened, without what it shows."""
 
     slot: str

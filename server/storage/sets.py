@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from server.storage.audit import Entry
 from server.storage.practice import Answers, Marked
@@ -95,8 +95,7 @@ class Place:
     enrolled: bool
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(NamedTuple):
     """A submission of a student to a slot, with its newest grade; `hints` were opened at a price before it."""
 
     slot: str

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html import unescape
 
 import pytest
+from markupsafe import Markup
 
+from server.marks.gradebook import Cell, gradebook
+from server.marks.pages import once
 from server.web.language import LANGUAGES
 from tests.server.marks.test_api import book, mark, with_open_answer
 from tests.server.sets.conftest import Course, moment
@@ -31,6 +35,25 @@ def test_results_show_points_and_settle_an_open_answer_by_a_form(
     page = course.lecturer.get(path).text
     assert "Student, task 1: right, 10 of 10 points, marked by hand" in page and "open-answers" not in page
     assert receipt in course.lecturer.get(f"/sets/{number}/students/{person}").text
+
+
+def test_cells_alike_are_drawn_once_and_filled_in_with_the_address_and_name_of_each_student(course: Course) -> None:
+    number, drawn = course.published(title="Alike"), []
+
+    def draw(cell: Cell, address: str, name: str) -> Markup:
+        drawn.append(cell)
+        return Markup(f'<a href="{address}#{cell.slot.number}" title="{name}">')
+
+    task_set = course.school.portal.call(course.school.bench.sets.task_set, number)
+    assert task_set is not None
+    rows = course.school.portal.call(gradebook, course.school.bench, task_set).rows
+    cells = once(draw)
+    named = [replace(r, member=replace(r.member, person=replace(r.member.person, name='"<b>\ue000'))) for r in rows]
+    assert len(rows) > 1
+    assert {cells(row, f"/{at}?a&b") for at, row in enumerate(named)} == {
+        f'<a href="/{at}?a&amp;b#1" title="&#34;&lt;b&gt;\ue000">' for at in range(len(rows))
+    }
+    assert len(drawn) == 1
 
 
 def test_a_student_s_work_is_shown_in_the_student_s_language_and_marked_by_a_form(course: Course) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sqlalchemy import Engine, event
+from sqlalchemy import Connection, Engine, event
 
 from server.database import Database
 from server.database.engine import engine
@@ -19,12 +19,13 @@ Asked = list[tuple[str, Any]]
 
 
 @pytest.fixture
-def asked() -> Iterator[Asked]:
-    """The statements sent to databases, with their values."""
+def asked(tmp_path: Path) -> Iterator[Asked]:
+    """The statements sent to the database of this test, with their values; a server beside it asks its own."""
     found: Asked = []
 
-    def note(_: Any, __: Any, statement: str, values: Any, *___: Any) -> None:
-        found.append((statement, values))
+    def note(connection: Connection, _: Any, statement: str, values: Any, *__: Any) -> None:
+        if str(tmp_path) in str(connection.engine.url):
+            found.append((statement, values))
 
     event.listen(Engine, "before_cursor_execute", note)
     yield found

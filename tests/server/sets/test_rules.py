@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
@@ -138,10 +137,10 @@ def test_a_better_attempt_never_lowers_the_score(
 
 def test_a_hint_takes_its_price_from_what_comes_after_it() -> None:
     late = Entry("R2", DUE + SECOND, 1.0, True, hints=1)
-    ledger = [Entry("R1", OPENS, 0.7, True), replace(late, time=DUE)]
+    ledger = [Entry("R1", OPENS, 0.7, True), late._replace(time=DUE)]
     assert result(ledger, DUE, Rules(hint_price=0.2)) == 0.8 and result(ledger, DUE, Rules()) == 1.0
     assert result(ledger, DUE, Rules(hint_price=0.5)) == 0.7
-    assert result([replace(late, hints=3)], DUE, Rules(hint_price=0.5)) == 0.0
+    assert result([late._replace(hints=3)], DUE, Rules(hint_price=0.5)) == 0.0
     assert result([late], DUE, Rules(late="reduced", late_loss=0.1, hint_price=0.2)) == 0.72
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import timedelta
 from typing import Any
 
 import pytest
+from sqlalchemy import Engine, event
 
 from server.database import Database
+from server.database import marks as marks_of
 from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
@@ -274,6 +277,28 @@ def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: S
     assert far == Progress("anna", 2, 1, 2, NOW + timedelta(minutes=2))
     assert [one.receipt for one in asyncio.run(school.one.marks.handed(new.id))] == [f"{new.id} 1", f"{new.id} 2"]
     assert [one.slot for one in asyncio.run(school.one.marks.dealt(new.id))] == [of.id for of in new.slots]
+
+
+def test_the_weights_of_a_card_are_read_once(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
+    new, weighted = school.draft(), {"en": {"answers": {"l3": {"weight": 3.0}}}}
+    publish(school.url, new, [replace(card(new.slots[0], 1, "anna"), shown=weighted)])
+    mine, asked = school.opened(new.slots[0], "anna"), []
+    school.keep(mine, f"{new.id} 1", None)
+    asyncio.run(school.one.marks.give([Mark(f"{new.id} 1", "l3", 0.5, "why", "lecturer", NOW)]))
+    with listening(lambda *told: asked.append(told[2])):
+        found = [asyncio.run(school.one.marks.weights(new.id)) for _ in range(2)]
+        assert found == [{mine.variant: {"l3": 3.0}}] * 2 and sum("shown" in one for one in asked) == 1
+        monkeypatch.setattr(marks_of, "MOST_WEIGHTS", 0)
+        found = [asyncio.run(school.two.marks.weights(new.id)) for _ in range(2)]
+        assert found == [{mine.variant: {"l3": 3.0}}] * 2
+
+
+@contextmanager
+def listening(note: Callable[..., Any]) -> Iterator[None]:
+    """Hear of the statements that are sent to databases."""
+    event.listen(Engine, "before_cursor_execute", note)
+    yield
+    event.remove(Engine, "before_cursor_execute", note)
 
 
 def test_titles_are_those_of_the_cards_that_were_opened_last(school: School) -> None:
