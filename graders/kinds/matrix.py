@@ -128,7 +128,7 @@ class Matrix:
         )
 
     def _off_by(self, column: int, one: float, other: float) -> Slips:
-        if abs(other) <= 9 * self.rtol or not one:
+        if abs(other) <= 9 * self.rtol:
             return NONE
         return off_by(one / other, min(self.rtol / abs(other), CLOSE), self._unit(column).dimension) & ALL
 
