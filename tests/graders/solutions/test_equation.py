@@ -1,13 +1,18 @@
-"""The judge of an equation: true at every state, determining, no solution lost or brought in."""
+"""The judge of an equation: true at every state, determining, no solution lost or brought in.
+
+Two mutants of this judge that live on change nothing that can be seen: `any` for `all` over the one equation, and no
+span where it is only asked whether an equation holds at the true states.
+"""
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi, sin
 
 import pytest
 
 from graders import AnswerSyntaxError, Code, Equation, Formula
 from graders.language import Reason, parse_line
+from graders.verdict import Witness
 from tests.graders.solutions.crank import ALPHA2, GIVEN, L3, STATES, WITH_ROD, surprises, verdict
 
 ROD = Equation("alpha2", (-1.2, 1.2), "l1*sin(alpha1) + l2*sin(alpha2) = h")
@@ -69,3 +74,32 @@ def test_what_is_no_equation_of_the_task_is_unreadable(typed: str, reason: Reaso
     with pytest.raises(AnswerSyntaxError) as refused:
         ROD.parse(typed, GIVEN)
     assert refused.value.reason is reason
+
+
+def test_a_point_is_told_at_which_a_solution_is_lost() -> None:
+    found = verdict(BOTH, "alpha2 = asin((h - l1*sin(alpha1))/l2)", ALPHA2, GIVEN)
+    assert isinstance(found.details, Witness)
+    at = dict(found.details.point)
+    assert at["l1"] * sin(at["alpha1"]) + at["l2"] * sin(at["alpha2"]) == pytest.approx(at["h"])
+    assert cos(at["alpha2"]) < 0
+
+
+def test_what_cannot_be_decided_is_kept_for_the_lecturer() -> None:
+    waves = " + ".join(f"sin({k}*α2 + l1)" for k in range(3, 60))
+    held = f"(h - l2*sin(α2) - l1*sin(α1))*(5 + {waves}) = 0"
+    assert verdict(ROD, held, ALPHA2, GIVEN).code is Code.UNDECIDED
+
+
+def test_an_equation_of_the_author_that_is_none_stops_the_program() -> None:
+    with pytest.raises(TypeError, match=r"^'l1 \+ h' is no equation$"):
+        Equation("alpha2", (-1.2, 1.2), "l1 + h").show(ALPHA2)
+
+
+def test_an_equation_is_shown_and_echoed_as_it_may_be_typed() -> None:
+    assert ROD.show(ALPHA2) == "l1*sin(alpha1) + l2*sin(alpha2) = h"
+    assert SLIDER.show(L3) == "l3 = l1*cos(alpha1) + l2*cos(alpha2)"
+    answer = ROD.parse("0,5*alpha2 = h", GIVEN)
+    assert ROD.echo(answer).text == "0.5*alpha2 = h"
+    assert "<mn>0.5</mn>" in ROD.echo(answer).mathml
+    assert "<mn>0,5</mn>" in ROD.echo(answer, comma=True).mathml
+    assert ROD.describe() == {"unknowns": ["alpha2"]}

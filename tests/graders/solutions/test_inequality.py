@@ -7,6 +7,7 @@ import pytest
 from graders import AnswerSyntaxError, Code, Domain, Formula, Inequality, Symbols
 from graders.language import Reason, parse_line
 from graders.states import drawn
+from graders.verdict import Witness
 from tests.graders.solutions.crank import surprises, verdict
 
 BOX = {"l1": Domain(0.05, 0.3), "l2": Domain(0.1, 0.4), "h": Domain(0.0, 0.1)}
@@ -51,3 +52,56 @@ def test_what_is_no_inequality_of_the_task_is_unreadable(typed: str, reason: Rea
     with pytest.raises(AnswerSyntaxError) as refused:
         TURNS.parse(typed, NAMES)
     assert refused.value.reason is reason
+
+
+def test_a_point_is_told_at_which_the_answer_differs() -> None:
+    for typed in ("l1 + h < l2", "l1 + h >= l2", "l1 < l2"):
+        witness = verdict(TURNS, typed, MARGIN, NAMES).details
+        assert isinstance(witness, Witness)
+        at = dict(witness.point)
+        assert set(at) == set(BOX)
+        assert typed != "l1 < l2" or at["l1"] < at["l2"] < at["l1"] + at["h"]
+
+
+def test_a_border_is_told_whichever_side_holds_it() -> None:
+    strict = Inequality("l1 + h < l2", "margin")
+    found = verdict(strict, "l2 >= l1 + h", MARGIN, NAMES)
+    assert (found.code, found.score) == (Code.BORDER, 0.5)
+    assert verdict(strict, "l2 < l1 + h", MARGIN, NAMES).code is Code.SENSE_TURNED
+    assert verdict(strict, "l2 <= l1 + h", MARGIN, NAMES).code is Code.WRONG
+    assert verdict(TURNS, "l2 <= l1 + h", MARGIN, NAMES).code is Code.SENSE_TURNED
+
+
+def test_what_cannot_be_decided_is_kept_for_the_lecturer() -> None:
+    held = "l1 + h + sign(sin(l1)^2 + cos(l1)^2 - 1) <= l2"
+    assert verdict(TURNS, held, MARGIN, NAMES).code is Code.UNDECIDED
+
+
+def test_an_inequality_of_the_author_that_is_none_stops_the_program() -> None:
+    with pytest.raises(TypeError, match=r"^'l1 \+ h' is no inequality$"):
+        Inequality("l1 + h", "margin").show(MARGIN)
+
+
+def test_an_inequality_is_shown_and_echoed_as_it_may_be_typed() -> None:
+    assert TURNS.show(MARGIN) == "l1 + h <= l2"
+    answer = TURNS.parse("0,5*l1 <= l2", NAMES)
+    assert TURNS.echo(answer).text == "0.5*l1 <= l2"
+    assert "<mn>0.5</mn>" in TURNS.echo(answer).mathml
+    assert "<mn>0,5</mn>" in TURNS.echo(answer, comma=True).mathml
+    assert TURNS.describe() == {}
+
+
+@pytest.mark.parametrize(
+    ("typed", "code"),
+    [
+        ("l2 > l1 + h", Code.BORDER),
+        ("0 < l2 - l1 - h", Code.BORDER),
+        ("l1 + h > l2", Code.WRONG),
+        ("l1 + h <= l2 <= 9", Code.RIGHT),
+        ("l1 + h < l2 <= 9", Code.BORDER),
+    ],
+)
+def test_every_sign_of_an_inequality_has_its_border_and_its_opposite(typed: str, code: Code) -> None:
+    assert verdict(TURNS, typed, MARGIN, NAMES).code is code
+    strict = Inequality("l1 + h < l2", "margin")
+    assert verdict(strict, "l1 + h > l2", MARGIN, NAMES).code is Code.SENSE_TURNED
