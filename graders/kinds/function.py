@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from graders.formulas import refuse_impulses
+from graders.formulas import place_of, refuse_impulses
 from graders.judge import Echo, Formula, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.piece import Piece
@@ -68,8 +68,7 @@ class Function:
                 return self._partly(beside)
             case Finding.UNDEFINED:
                 return wrong(Code.UNDEFINED)
-            case _:
-                return UNDECIDED
+        return UNDECIDED
 
     def right(self, answer: tuple[Part, ...], reference: Formula) -> bool:
         """Tell whether it is the true function."""
@@ -153,5 +152,6 @@ def _formula(piece: Piece, symbols: Symbols, allowed: frozenset[str]) -> Tree:
     piece.read(lambda text: refuse_impulses(tree, text))
     forbidden = sorted(names(tree) - allowed)
     if forbidden:
-        raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, piece.place, forbidden[0])
+        place = piece.place + place_of(forbidden[0], piece.text)
+        raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, place, forbidden[0])
     return tree

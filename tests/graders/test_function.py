@@ -1,4 +1,8 @@
-"""Functions with Macaulay brackets: equal on every stretch, slips named by the place at which they begin."""
+"""Functions with Macaulay brackets: equal on every stretch, slips named by the place at which they begin.
+
+The mutant of this judge that lives on changes nothing that can be seen: `or` for `and` between the ends of a range,
+which are both there or both not.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +15,7 @@ import pytest
 from graders import AnswerSyntaxError, Code, Formula, Function, States, Symbols
 from graders.language import Reason, parse_line
 from graders.profile.bracketed import Part, Span, tried
-from graders.remarks import Remarks, Slip
+from graders.remarks import Remark, Remarks, Slip
 from graders.verdict import Verdict
 from graders.words import LANGUAGES, message
 from tests.graders.effort import effort
@@ -98,6 +102,44 @@ def test_a_slip_is_named_by_the_place_at_which_it_begins(text: str, slip: Slip, 
     assert all(name in message(verdict, lang) and "{" not in message(verdict, lang) for lang in LANGUAGES)
 
 
+def test_the_share_of_stretches_is_told_and_one_stretch_alone_earns_nothing() -> None:
+    third = judged("R_A*x - F1<x-a1> - q2/2*(x-a2)^2 + q2/2*<x-c2>^2")
+    assert third.score == 0.333333
+    assert third.details == Remarks(2, 4, (Remark(Slip.OPEN_TOO_EARLY, name="a2"),))
+    half, line = Function("M", ("a1", "L")), Formula(parse_line("R_A*x - F1*<x - a1>^1"), STATES)
+    assert judged("R_A*x", half, line) == Verdict(0, Code.NO_MARKS, Remarks(1, 2, (Remark(Slip.FROM_HERE, name="a1"),)))
+    late = judged("R_A*x - F1*(x - a1)", half, line)
+    assert late == Verdict(0, Code.NO_MARKS, Remarks(1, 2, (Remark(Slip.OPEN_TOO_EARLY, name="a1"),)))
+    whole = Function("M", ("L",))
+    alone = judged("2*x", whole, Formula(parse_line("x"), STATES))
+    assert alone == Verdict(0, Code.NO_MARKS, Remarks(0, 1, (Remark(Slip.EVERYWHERE),)))
+
+
+def test_what_is_off_in_the_first_stretch_alone_is_named_by_its_ends() -> None:
+    text = f"0 .. a1: 2*R_A*x; {PIECES[1]}; {PIECES[2]}; {PIECES[3]}"
+    assert judged(text).details == Remarks(3, 4, (Remark(Slip.OPEN_TOO_EARLY, name="a1"),))
+    text = f"0 .. a1: 2*R_A*x; {PIECES[1]}; a2 .. c2: x; {PIECES[3]}"
+    assert judged(text).details == Remarks(2, 4, (Remark(Slip.STRETCH, name="0 .. a1"),))
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("R_A*x - F1<x-a1> - q2/2*(<x-a2>^2 - <x-c2>^2)", True),
+        ("R_A*x - F1<x-a1> - q2/2*<x-a2>^2", False),
+        (f"{BENDING.show(MOMENT)} + max(0; 1e-9 - (x - 0.3)^2)", False),
+    ],
+)
+def test_a_function_is_told_to_be_right_without_naming_what_is_off(text: str, right: bool) -> None:
+    assert BENDING.right(BENDING.parse(text, SYMBOLS), MOMENT) is right
+
+
+def test_a_constant_is_missed_only_where_one_is_asked_for() -> None:
+    lost = f"{BENDING.show(MOMENT)} + L*F1"
+    assert judged(lost).details == Remarks(0, 4, (Remark(Slip.EVERYWHERE),))
+    assert judged(lost, Function("M", ENDS, constants=True)).details == Remarks(0, 4, (Remark(Slip.CONSTANT),))
+
+
 def test_a_lost_constant_of_integration_is_named() -> None:
     loads = "R_A*x^3/6 - F1*<x-a1>^3/6 - q2/24*(<x-a2>^4 - <x-c2>^4)"
     for text in (f"({loads})/EI", f"({loads} + C)/EI", f"({loads} - C*x)/EI", f"({loads} + C*x)/EI + L"):
@@ -136,7 +178,9 @@ def test_both_sides_of_every_place_are_tried_in_the_order_of_the_task() -> None:
     [
         ("", Reason.EMPTY, 0),
         ("M", Reason.FORBIDDEN_NAME, 0),
-        ("0..a1: R_A*x; a1..L: v", Reason.FORBIDDEN_NAME, 21),
+        ("x*v + M", Reason.FORBIDDEN_NAME, 6),
+        ("0..a1: R_A*x; a1..L: 2*v", Reason.FORBIDDEN_NAME, 23),
+        ("0..L: <x-a1>^1 + <x-a1>^-1", Reason.IMPULSE, 17),
         ("0..x: 1", Reason.FORBIDDEN_NAME, 3),
         ("0..a9: 1", Reason.UNKNOWN_NAME, 3),
         ("[[x; 1]]", Reason.NOT_AN_EXPRESSION, 0),
@@ -151,6 +195,21 @@ def test_what_is_no_function_is_refused_with_its_place(text: str, reason: Reason
     with pytest.raises(AnswerSyntaxError) as refused:
         BENDING.parse(text, SYMBOLS)
     assert (refused.value.reason, refused.value.position) == (reason, place)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"), [("0..L: x; 0..L: v", "v"), ("M*v", "M"), ("x + 5*x*x*x*x*x*x*x*x < 3", "x + 5*x*x*x*x*x*x*x*")]
+)
+def test_what_is_refused_is_quoted(text: str, found: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        BENDING.parse(text, SYMBOLS)
+    assert refused.value.proposal.found == found
+
+
+def test_a_function_is_echoed_with_the_decimal_mark_of_the_reader() -> None:
+    answer = BENDING.parse("2,5*x", SYMBOLS)
+    assert "<mn>2,5</mn>" in BENDING.echo(answer, comma=True).mathml
+    assert "<mn>2.5</mn>" in BENDING.echo(answer).mathml
 
 
 def test_a_function_is_echoed_described_and_carried() -> None:
