@@ -1,13 +1,18 @@
-"""The judge of a system: every equation true, together determining, no assembly lost."""
+"""The judge of a system: every equation true, together determining, no assembly lost.
+
+The mutant of this judge that lives on changes nothing that can be seen: no spans where it is only asked whether
+equations hold at the true states.
+"""
 
 from __future__ import annotations
 
-from math import pi
+from math import inf, pi
 
 import pytest
 
-from graders import AnswerSyntaxError, Code, System
-from graders.language import Reason
+from graders import AnswerSyntaxError, Code, Formula, System
+from graders.language import Reason, parse_line
+from graders.language.mathml import mathml_of
 from graders.verdict import Branches
 from tests.graders.solutions.crank import GIVEN, L3, surprises, verdict
 
@@ -71,3 +76,34 @@ def test_what_cannot_be_read_has_its_place_in_the_whole_text(typed: str, reason:
 def test_a_semicolon_inside_brackets_parts_nothing() -> None:
     read = CRANK.parse("alpha2 = atan2(h; l1); l3 = max(l1; l2)", GIVEN)
     assert len(read) == 2
+
+
+def test_the_share_of_equations_that_hold_is_that_of_the_task() -> None:
+    typed = "l3 = l1 cos α1 + l2 cos α2; l1 sin α1 - l2 sin α2 = h; l3 = h"
+    found = verdict(CRANK, typed, L3, GIVEN)
+    assert (found.score, found.details) == (0.166667, Branches(1, 3))
+    whole = verdict(CRANK, "l1 sin α1 - l2 sin α2 = h", L3, GIVEN)
+    assert (whole.code, whole.score, whole.details) == (Code.NOT_SATISFIED, 0, None)
+
+
+def test_systems_of_other_states_are_far_apart() -> None:
+    slip = Formula(parse_line("l1*cos(alpha1) - l2*cos(alpha2)"), L3.states)
+    other = Formula(parse_line("l1*cos(alpha1) - 2*l2*cos(alpha2)"), L3.states)
+    assert CRANK.apart(L3, slip) == CRANK.apart(slip, L3) == inf
+    assert CRANK.apart(L3, L3) == CRANK.apart(slip, other) == 0
+
+
+def test_a_system_of_the_author_that_is_none_stops_the_program() -> None:
+    with pytest.raises(TypeError, match=r"^\('l1 = h', 'l1 \+ h'\) are not all equations$"):
+        System(("alpha2", "l3"), ((-1.2, 1.2), (0.0, 0.8)), ("l1 = h", "l1 + h")).show(L3)
+
+
+def test_a_system_is_shown_and_echoed_as_it_may_be_typed() -> None:
+    assert CRANK.show(L3) == "; ".join(CLOSURE)
+    answer = CRANK.parse("l3 = 0,5; alpha2 = h", GIVEN)
+    first, second = (mathml_of(one, True).removeprefix("<math>").removesuffix("</math>") for one in answer)
+    assert CRANK.echo(answer, comma=True).mathml == f"<math><mrow>{first}<mo>;</mo>{second}</mrow></math>"
+    assert CRANK.echo(answer).text == "l3 = 0.5; alpha2 = h"
+    assert "<mn>0.5</mn>" in CRANK.echo(answer).mathml and "<mn>0,5</mn>" in first
+    assert CRANK.describe() == {"unknowns": ["alpha2", "l3"]}
+    assert System(("a", "b", "c"), ((0, 1),) * 3, ()).step == "c"
