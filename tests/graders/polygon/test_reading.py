@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -143,6 +145,14 @@ def test_the_echo_reads_back_as_the_same_polygon(mechanism: object) -> None:
     assert echo.mathml.startswith("<math>") and "mtable" in echo.mathml
     assert grader.describe() == {"nodes": list(mechanism.nodes)}
     assert grader.apart(mechanism, mechanism) == 0
+    assert grader.apart(mechanism, replace(mechanism, polygon="")) == float("inf")
+
+
+def test_a_polygon_is_echoed_with_the_decimal_mark_of_the_reader() -> None:
+    grader = Polygon(NODES, "alpha2")
+    answer = grader.parse("l1: A > B, length 0.5, angle alpha1", SYMBOLS)
+    assert "<mn>0.5</mn>" in grader.echo(answer).mathml
+    assert "<mn>0,5</mn>" in grader.echo(answer, comma=True).mathml
 
 
 TEXTS = st.text(alphabet="ABC l1alph2x:y;,=>+-*()0\nκąтcosure→°'_.", max_size=80)
