@@ -259,16 +259,16 @@ class Pair:
         groups = together(self.builder, turned.turns, self.program.outputs)
         if self._all_met(groups):
             return
-        search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines)
-        found = list(search.beside(turned.turns, [turned.slots[turn.slot] for turn in turned.turns]))
+        search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines, turned.slots)
+        found = list(search.beside(turned.turns))
         crossed = [point for point, touched in found if not touched]
         rows = looks(doubles, crossed)
         yield self._places(zip(rows, crossed, strict=True), None)
         joint = list(search.joint(turned.turns, groups, [*self.rows, *rows])) if groups else []
         yield self._places(zip(looks(doubles, joint), joint, strict=True), None)
         touching = [point for point, touched in found if touched]
-        for number, (row, point) in enumerate(zip(looks(doubles, touching), touching, strict=True)):
-            yield self._places([(row, point)], number)
+        rows = looks(doubles, touching)
+        yield [self._places([one], at)[0] for at, one in enumerate(zip(rows, touching, strict=True))]
         self.searched = self.searched and not search.open
 
     def _first(self, points: Iterable[Point]) -> Comparison | None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property, partial
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from graders.equality.inside import one_signed
+from graders.equality.rising import Trend, trends
 from graders.equality.sides import Box, Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn, may_be_steep
 from graders.judge import Domain
@@ -68,7 +70,7 @@ def open_turns(
     return [turn for turn in found if turn.slot not in signed], slots, signed
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Search:
     """A search of a box for both sides of what turns in a program.
 
@@ -79,6 +81,8 @@ class Search:
         rows: Their outputs, and behind them the values of the turns.
         mutual: Whether a point where only the answer has a value is a state.
         lines: Slots of the earlier names, which have a value at every state.
+        slots: The ranges of all slots on the box.
+        known: Which way all slots go along the symbols that were asked for.
         open: Numbers of the turns that were neither found to have another side nor proved to have none.
     """
 
@@ -87,11 +91,14 @@ class Search:
     points: Sequence[Point]
     rows: Sequence[Row]
     mutual: bool
-    lines: tuple[int, ...] = ()
+    lines: tuple[int, ...]
+    slots: Sequence[Interval]
+    known: dict[int, list[Trend]] = field(default_factory=dict)
     open: list[int] = field(default_factory=list)
 
-    def beside(self, turns: Sequence[Turn], ranges: Sequence[Interval]) -> Iterator[tuple[Point, bool]]:
+    def beside(self, turns: Sequence[Turn]) -> Iterator[tuple[Point, bool]]:
         """Give points beside each turn; those around a touched zero, where no sign changes, are marked."""
+        ranges = [self.slots[turn.slot] for turn in turns]
         ends = [at for at, turn in enumerate(turns) if turn.edge and not ranges[at][0] >= 0]
         guarded = any(turns[at].right or self.mutual for at in ends)
         held = {at: self._held(at) for at in range(len(turns))}
@@ -133,6 +140,17 @@ class Search:
                 self.open.append(group.turns[0])
             yield from found.points
 
+    @cached_property
+    def integers(self) -> tuple[int, ...]:
+        """Give the numbers of the symbols that are whole numbers."""
+        return tuple([at for at, domain in enumerate(self.box) if domain.integer])
+
+    @cached_property
+    def states(self) -> list[tuple[Row, Point]]:
+        """Give the points that were looked at and are states, with their outputs."""
+        rows = zip(self.rows, self.points, strict=True)
+        return [(row, at) for row, at in rows if any(map(math.isfinite, row[: 1 + self.mutual]))]
+
     def _both_end(self, turns: Sequence[Turn], held: Mapping[int, list[Found]], at: int) -> bool:
         """Tell whether no state lies beyond an edge: the reference (if mutual: both sides) ends there."""
         like = [
@@ -143,11 +161,7 @@ class Search:
 
     def _held(self, number: int) -> list[Found]:
         """Give the values of a turn at the states that were looked at."""
-        return [
-            (row[2 + number], point)
-            for row, point in zip(self.rows, self.points, strict=True)
-            if math.isfinite(row[2 + number]) and any(map(math.isfinite, row[: 1 + self.mutual]))
-        ]
+        return [(row[2 + number], point) for row, point in self.states if math.isfinite(row[2 + number])]
 
     def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
         alone = self.program.only(*slots)
@@ -172,8 +186,21 @@ class Search:
         state = self._state() if guarded else every
         size, work = 1 + len(alone.operations), WORK if deep else LESS_WORK
         return Part(
-            value if way is itself else values, state, bounds, self.box, ends(self.box), alone.moving, size, work, deep
-        )
+            value if way is itself else values, state, bounds, self.box, ends(self.box), alone.moving, self.integers,
+            size, work, deep, partial(self._trends, slots[0], alone.moving) if way is itself else tuple,
+        )  # fmt: skip
+
+    def _trends(self, slot: int, moving: Sequence[int]) -> tuple[int, ...]:
+        """Tell which way a slot goes along some symbols; nothing where it turns back along one of them."""
+        found = list[int]()
+        for at in moving:
+            if at not in self.known:
+                self.known[at] = trends(self.program, self.slots, at)
+            own = self.known[at][slot]
+            if own is None:
+                return ()
+            found.append(own)
+        return tuple(found)
 
     def _state(self) -> Callable[[Point], bool]:
         """Make a test that tells in doubles whether a point is a state."""

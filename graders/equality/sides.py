@@ -61,9 +61,11 @@ class Part:
         box: The domains of all symbols.
         ends: The places next to the ends of these, where a search stops.
         moving: Numbers of the symbols that it depends on.
+        integers: Numbers of the symbols that are whole numbers.
         size: Its number of operations.
         work: Operations on intervals that its branch and bound may take.
         deep: Whether what this leaves open is followed further in doubles.
+        trends: Gives which way it goes along each moving symbol; nothing where it turns back along one of them.
     """
 
     value: Callable[[Point], float]
@@ -72,9 +74,11 @@ class Part:
     box: tuple[Domain, ...]
     ends: Box
     moving: tuple[int, ...]
+    integers: tuple[int, ...]
     size: int
     work: int
     deep: bool
+    trends: Callable[[], Sequence[int]]
 
     def sides(self, held: Sequence[Found], one_sided: bool, edge: bool) -> Sides:
         """Give points on both sides of the zero, or around a zero that is only touched.
@@ -91,8 +95,10 @@ class Part:
             return Sides(self._beside(low[1], high[1]))
         sign = 1.0 if high[0] > 0 else -1.0
         start, far = (low, high) if sign > 0 else ((-high[0], high[1]), (-low[0], low[1]))
+        touching, corner = TOUCHING * far[0], self._corner(start, sign)
+        if corner[0] > touching:
+            return NOTHING
         best, proved = self._descent(start, sign, far[0]), True
-        touching = TOUCHING * far[0]
         if best[0] >= 0 and not one_sided and best[0] > (touching if edge else ZERO * far[0]):
             best, proved = self._bounded(best, sign)
         if best[0] < 0:
@@ -109,6 +115,15 @@ class Part:
         if best[0] >= 0:
             best, proved = self._bounded(best, 1.0)
         return Sides((best[1],) if best[0] < 0 else (), proved=proved)
+
+    def _corner(self, start: Found, sign: float) -> Found:
+        """Give the least value times a sign where it lies at the ends of all symbols; else nothing is known."""
+        point, trends = list(start[1]), self.trends()
+        if not trends:
+            return -math.inf, start[1]
+        for at, way in zip(self.moving, trends, strict=True):
+            point[at] = self.ends[at][way * sign < 0]
+        return sign * self.value(tuple(point)), tuple(point)
 
     def _descent(self, best: Found, sign: float, usual: float) -> Found:
         """Go down until the sign changes: from corner to corner first, then by ever smaller steps."""
@@ -141,7 +156,7 @@ class Part:
     def _better(self, best: Found, at: int, place: float, sign: float) -> Found:
         (low, high), here = self.ends[at], best[1]
         inside = low if place < low else high if place > high else place
-        if self.box[at].integer:
+        if at in self.integers:
             inside = float(round(inside))
         if inside == here[at]:
             return best
@@ -224,11 +239,6 @@ class Part:
         for at in self.integers:
             found[at] = float(round(found[at]))
         return tuple(found)
-
-    @property
-    def integers(self) -> tuple[int, ...]:
-        """Give the numbers of the symbols that are whole numbers."""
-        return tuple([at for at, domain in enumerate(self.box) if domain.integer])
 
     def _round(self, point: Point, narrow: bool) -> tuple[Point, ...]:
         """Step aside from a touched zero along every symbol; of a narrow one by smaller steps too."""

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import product
 
-from graders.equality.probing import look
+from graders.equality.probing import look, looks
+from graders.equality.rising import Trend, trends
+from graders.equality.sides import whole
 from graders.equality.turns import EXPONENTS, HIGH, may_be_steep
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
-from graders.language.intervals import Interval
+from graders.language.intervals import INTERVALS, Interval
 from graders.language.program import Program, Runner
 from graders.states import Point
 
@@ -49,16 +51,27 @@ def summits(
     steep_ones = (program.operations[slot - start] for slot in sorted(steep_slots))
     for argument in [arguments[0] for name, arguments in steep_ones if name in EXPONENTS][:MOST]:
         exponent = program.only(argument)
-        found += [_summit(exponent, box, points, way) for way in (1.0, -1.0)]
+        ranges = Runner(exponent, INTERVALS).slots(whole(box))
+        known = {at: trends(exponent, ranges, at)[exponent.outputs[0]] for at in exponent.moving}
+        found += [_summit(exponent, known, box, points, way) for way in (1.0, -1.0)]
     return found
 
 
-def _summit(exponent: Program, box: Sequence[Domain], points: Sequence[Point], way: float) -> Point:
-    """Climb along the symbols of an exponent from the highest of some points."""
-    runner, moving = Runner(exponent, DOUBLES), exponent.moving
-    height, best = max((_number(way * look(runner, point)[0]), point) for point in points)
+def _summit(
+    exponent: Program, known: Mapping[int, Trend], box: Sequence[Domain], points: Sequence[Point], way: float
+) -> Point:
+    """Climb along the symbols of an exponent from the highest of some points.
+
+    An end of those along which it only rises or falls is the summit.
+    """
+    runner, moving = Runner(exponent, DOUBLES), [at for at, own in known.items() if own is None]
+    rows = zip(looks(runner, points), points, strict=True)
+    height, best = max((_number(way * row[0]), point) for row, point in rows)
+    ends = {at: box[at].high if own * way > 0 else box[at].low for at, own in known.items() if own}
+    best = tuple([ends.get(at, x) for at, x in enumerate(best)])
+    height = _number(way * look(runner, best)[0]) if moving else height
     step, still = 0.5, 0
-    while step > LEAST_STEP and still < STILL:
+    while moving and step > LEAST_STEP and still < STILL:
         before = height
         for at, width in product(moving, (-step, step)):
             domain = box[at]

@@ -39,6 +39,8 @@ def _hull(*values: float) -> Interval:
 
 
 def _multiply(a: Interval, b: Interval) -> Interval:
+    if a[0] > 0 and b[0] > 0:
+        return a[0] * b[0], a[1] * b[1]
     return _hull(a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1])
 
 
@@ -88,6 +90,15 @@ def _tangent(x: Interval) -> Interval:
     if not x[1] - x[0] < math.pi or math.floor(x[0] / math.pi + 0.5) != math.floor(x[1] / math.pi + 0.5):
         return ALL
     return math.tan(x[0]), math.tan(x[1])
+
+
+def _square(x: Interval, _: Interval) -> Interval:
+    low, high = x[0] * x[0], x[1] * x[1]
+    if x[0] > 0:
+        return low, high
+    if x[0] <= 0 <= x[1]:
+        return 0.0, max(low, high)
+    return (high, low) if x[1] < 0 else ALL
 
 
 def _power(x: Interval, n: int) -> Interval:
@@ -154,7 +165,7 @@ INTERVALS = Arithmetic(
         "+": lambda a, b: (a[0] + b[0], a[1] + b[1]), "-": lambda a, b: (a[0] - b[1], a[1] - b[0]),
         "*": _multiply, "/": _divide, "^": _general_power, "negate": lambda x: (-x[1], -x[0]),
         "degrees": lambda x: (x[0] * DEGREE, x[1] * DEGREE), "pi": lambda: (math.pi, math.pi), "integer_power": _power,
-        "square": lambda x, _: _power(x, 2),
+        "square": _square,
         "sin": _sine, "cos": _cosine, "tan": _tangent, "cot": lambda x: _divide((1.0, 1.0), _tangent(x)),
         "asin": _rising(math.asin, -1.0, 1.0), "atan": _rising(math.atan),
         "acos": lambda x: _negated(_rising(math.asin, -1.0, 1.0)(x), math.pi / 2),

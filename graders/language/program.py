@@ -176,6 +176,8 @@ class Runner:
         known = arithmetic.functions
         self.code: Code = []
         for slot, (name, arguments) in enumerate(program.operations, len(program.inputs)):
+            if name == "power2":
+                name, arguments = "*", arguments * 2
             function, count = known.get(name) or arithmetic.function(name), len(arguments)
             first, second = arguments if count == 2 else (arguments[0], 0) if count == 1 else (arguments, 0)
             if first == second and name == "*":

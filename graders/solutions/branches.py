@@ -60,8 +60,8 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))
     turning = Turning(scene, program, Runner(program, DOUBLES))
     rows = looks(turning.runner, scene.points)
-    search = Search(program, box, scene.points, rows, True, tuple(lines))
-    beside = list(search.beside(found, [slots[turn.slot] for turn in found]))
+    search = Search(program, box, scene.points, rows, True, tuple(lines), slots)
+    beside = list(search.beside(found))
     groups = together(builder, found, outputs)
     if groups:
         looked = looks(turning.runner, [point for point, _ in beside])

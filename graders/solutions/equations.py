@@ -14,14 +14,16 @@ from itertools import islice, product
 from flint import arb
 
 from graders.equality import Finding
+from graders.equality.rising import trends
 from graders.equality.turns import TURNING
 from graders.language.balls import precision
+from graders.language.intervals import INTERVALS
+from graders.language.program import Runner
 from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside, flat_zero
 from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.reduction import degrees, factors, reduced, residual
-from graders.solutions.rising import ways
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -263,7 +265,8 @@ class Pair:
         if factor.single is None:
             program = self.both.program.only(self.both.program.outputs[factor.side.places[0]])
             self.both.effort.spend(PROVING * len(program.operations))
-            factor.single = ways(program, self.scene.ranges, self.unknown)[0] in (1, -1)
+            ranges = Runner(program, INTERVALS).slots(self.scene.ranges)
+            factor.single = trends(program, ranges, self.unknown)[program.outputs[0]] in (1, -1)
         return factor.single
 
     def _on(self, factor: Factor, base: Sequence[float], nodes: int = NODES) -> Iterable[Zero]:
