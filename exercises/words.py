@@ -156,7 +156,7 @@ def mathml(latex: str) -> str:
     from latex2mathml.converter import convert
 
     shown = re.sub(r' (?:xmlns|display)="[^"]*"', "", convert(latex))
-    return OPEN_END.sub(r'<mo rspace="0">\1', shown)
+    return OPEN_END.sub(r'<mo rspace="0">\1', shown.replace("<mover>", '<mover accent="true">'))  # dots, arrows
 
 
 @lru_cache(maxsize=4096)

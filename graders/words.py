@@ -78,7 +78,7 @@ def message(verdict: Verdict, lang: str) -> str:
 
 def titled(code: str, lang: str) -> str:
     """Word a verdict of which the code alone is kept, its gaps left open; empty for a code that has no sentence."""
-    return GAP.sub("…", str(locale(lang)["codes"].get(code, "")))
+    return GAP.sub("…", str(locale(lang)["codes"].get(code, ""))).replace("….", "…")
 
 
 def _remarked(words: Mapping[str, Any], remark: Remark, lang: str) -> str:

@@ -276,6 +276,10 @@ def test_plain_text_says_all_that_the_formula_says(latex: str, spoken: str) -> N
     assert plain(latex) == spoken
 
 
+def test_a_dot_stands_close_above_its_letter() -> None:
+    assert r'<mover accent="true"><mi>&#x00398;</mi>' in inline(r"$\dot\Theta_1$")
+
+
 def test_every_command_in_the_words_has_a_plain_form() -> None:
     folder = Path(catalogue.__file__).parent
     maths = [piece for path in folder.glob("*/*/??.toml") for piece in MATHS.findall(path.read_text("utf-8"))]

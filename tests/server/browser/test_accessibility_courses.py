@@ -164,3 +164,11 @@ def test_axe_finds_nothing_dark_on_a_phone_and_light_on_a_wide_screen(page: Page
     assert broken == [], "\n".join(broken)
     page.set_viewport_size({"width": 320, "height": 800})
     assert width(page) <= 320
+
+
+def test_the_points_of_a_set_of_one_task_are_seen_on_a_phone(page: Page, campus: Campus) -> None:
+    page.set_viewport_size({"width": 360, "height": 740})
+    page.context.add_cookies([{"name": COOKIE, "value": campus.cookies["lecturer"], "url": campus.live.url}])
+    page.goto(campus.live.url + campus.paths["results"])
+    points = page.locator("th.num", has_text="Points").bounding_box()
+    assert points is not None and points["x"] + points["width"] <= 360

@@ -110,6 +110,8 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     assert "What would change" in page and "Student" in page and "<td>Position of the slider l3</td>" in page
     assert 'name="then" value="regrade">Change results: 1<' in page
     assert "<td>wrong, 0</td><td>right, 1</td>" in page
+    crumb = page.split('<p class="crumb">')[1].split("</p>")[0]
+    assert crumb.index('href="/courses/') < crumb.index(f'href="/sets/{handed_in}"')
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
 
 
