@@ -34,7 +34,6 @@ PREAMBLE = """#set document(title: {title}, date: none)
 #show heading: set block(above: 1.4em, below: 0.7em)
 #show heading: set text(hyphenate: false)
 #show heading.where(level: 1): set text(size: 12pt)
-#show math.equation: set text(size: 11pt)
 #metadata({foot}) <foot>
 #align(center)[#text(size: 14pt, weight: "bold")[#{title}] #linebreak() #text(size: 11pt)[#{subtitle}]]
 """

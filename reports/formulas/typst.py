@@ -14,6 +14,9 @@ OPERATORS = {
     "(": "paren.l", ")": "paren.r", "[": "bracket.l", "]": "bracket.r", "{": "brace.l", "}": "brace.r",
     "⟨": "chevron.l", "⟩": "chevron.r", "…": "dots.h", "": "",
 }  # fmt: skip
+TIMES = Node("operator", "·")
+KEPT = 'thin class("normal", dot.op) thin'  # no line ends behind it
+LONGEST = 14  # parts of a term that surely fits on a line
 UNSEEN = frozenset(("Cc", "Cf", "Cs", "Co", "Cn"))
 ACCENTS = {"˙": "dot", "¨": "dot.double", "→": "arrow", "¯": "macron", "^": "hat", "~": "tilde"}
 
@@ -45,9 +48,18 @@ def _operator(node: Node) -> str:
 
 
 def _row(node: Node) -> str:
-    first, *rest = map(_written, node.parts) if node.parts else [""]
+    product = KEPT if _has_short_terms(node) else OPERATORS["·"]
+    written = (product if part == TIMES else _written(part) for part in node.parts)
+    first, *rest = written if node.parts else [""]
     signed = f'class("normal", {first})' if first in ("minus", "+") else first
     return _joined(filter(None, (signed, *rest)))
+
+
+def _has_short_terms(node: Node) -> bool:
+    """Tell whether each term of a row surely fits on a line."""
+    signs = [at for at, part in enumerate(node.parts) if part.kind == "operator" and part.text in "+−="]
+    ends = zip([-1, *signs], [*signs, len(node.parts)], strict=True)
+    return all(end - start <= LONGEST for start, end in ends)
 
 
 def _joined(parts: Iterable[str]) -> str:

@@ -15,6 +15,7 @@ from exercises.grading import grade, reference
 from exercises.solving import solved
 from reports import formats
 from reports.document import Beside, Document, Drawing, Formula, Heading, Paragraph, Ruled, Table, plain
+from reports.formulas import latex, omml, typst
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
 from reports.typst import source
 
@@ -207,8 +208,6 @@ def test_what_a_student_writes_is_never_markup(kind: str) -> None:
 
 
 def test_every_formula_of_a_report_can_be_written_in_every_notation() -> None:
-    from reports.formulas import latex, omml, typst
-
     formulas = [
         run
         for block in filled().blocks
@@ -229,3 +228,15 @@ def test_what_is_constant_among_students_stands_under_constant_settings() -> Non
     assert one[0] == other[0] and one[2] != other[2]
     drawn = [next(block for block in document.blocks if isinstance(block, Drawing)) for document in documents]
     assert drawn[0].svg is drawn[1].svg
+
+
+def test_a_sum_of_a_pdf_breaks_between_its_terms_and_a_long_product_where_it_must() -> None:
+    dot = "<mo>·</mo>"
+    short = typst.formula(f"<math><mi>a</mi>{dot}<mi>b</mi><mo>+</mo><mi>c</mi>{dot}<mi>d</mi></math>")
+    long = typst.formula(f"<math>{dot.join(['<mi>a</mi>'] * 40)}</math>")
+    assert short == 'a thin class("normal", dot.op) thin b + c thin class("normal", dot.op) thin d'
+    assert "class" not in long and long.count("dot.op") == 39
+
+
+def test_a_formula_of_a_note_is_as_small_as_the_note() -> None:
+    assert "math.equation: set text" not in source(report())
