@@ -189,8 +189,10 @@ def _in_product(tree: Binary) -> Iterator[Changed]:
     left, right = tree.left, tree.right
     over = tree.operator == "/"
     yield CommonSlip.FACTOR_LOST, left
-    yield CommonSlip.UPSIDE_DOWN, replace(tree, operator="*" if over else "/", implicit=False)
-    if over:
+    turned = bool(names(tree))  # nobody turns over pi/2; and 2*pi would be an angle of zero
+    if turned:
+        yield CommonSlip.UPSIDE_DOWN, replace(tree, operator="*" if over else "/", implicit=False)
+    if over and turned:
         yield CommonSlip.UPSIDE_DOWN, Binary("/", right, left)
         for factor, rest in _split(left):
             yield CommonSlip.UPSIDE_DOWN, Binary("/", Binary("*", factor, right), rest)

@@ -174,6 +174,11 @@ def test_what_has_no_length_in_its_unit_is_not_put_down_to_a_radius(unit: str) -
     assert CommonSlip.DIAMETER_RADIUS not in off_by(4.0, 1e-4, read_unit(unit).dimension)
 
 
+def test_a_quotient_of_numbers_alone_is_not_turned_over() -> None:
+    """An angle of 2 pi is one of zero, so that it would explain a right angle that was left out."""
+    assert CommonSlip.UPSIDE_DOWN not in {slip for slip, _ in slips_in(parse_line("pi/2"))}
+
+
 def test_a_given_that_is_misread_is_told_by_a_set_and_what_follows() -> None:
     judges, values = solved(BARS).answers, solved(BARS).again(replaced={"alpha1": "-alpha1"})
     typed = {name: judges[name].show(values[name]) for name in judges}

@@ -9,6 +9,7 @@ import pytest
 from exercises.exercise import Submission, Variant
 from exercises.grading import grade, reference
 from exercises.manipulators.rrr_matrices import EXERCISE, Givens
+from exercises.solving import solved
 from graders import Code, Outcome
 
 GIVENS = Givens(0.42, 0.36, 0.28, -35 * pi / 180, 50 * pi / 180, -80 * pi / 180, "x")
@@ -33,6 +34,21 @@ def test_a_table_is_read_in_degrees_and_metres(table: str) -> None:
 
 def test_a_table_of_another_convention_or_order_is_not_right() -> None:
     assert code("P", "[[0; 0; 0.42; -35], [90; 0; 0; 50], [0; 0.36; 0; 80]]") is not Code.RIGHT
+
+
+@pytest.mark.parametrize(
+    ("rows", "mistake"),
+    [
+        ("[[q1; L1; 0; 0], [q2; 0; L2; 0], [-q3; 0; 0; 0]]", "alpha_forgotten"),
+        ("[[q1; L1; 0; pi/2], [q2; 0; L2; pi/2], [-q3; 0; 0; 0]]", "alpha2_turned"),
+    ],
+)
+def test_an_angle_between_axes_that_is_wrong_is_told_by_what_follows(rows: str, mistake: str) -> None:
+    known = solved(VARIANT)
+    values = known.again(replaced={"P": rows})
+    typed = {name: judge.show(values[name]) for name, judge in known.answers.items() if not judge.symbolic}
+    found = grade(Submission(VARIANT, {**reference(VARIANT), **typed}))
+    assert (found.mistake, found.slip) == (mistake, None)
 
 
 @pytest.mark.parametrize(

@@ -134,6 +134,8 @@ EXERCISE = Exercise(
             arm("L2*cos(q2) + L3*cos(q2 - q3)", "L1 - L2*sin(q2) - L3*sin(q2 - q3)"),
             P="[[q1; L1; 0; -pi/2], [q2; 0; L2; 0], [-q3; 0; 0; 0]]",
         ),
+        "alpha_forgotten": Mistake(P="[[q1; L1; 0; 0], [q2; 0; L2; 0], [-q3; 0; 0; 0]]"),
+        "alpha2_turned": Mistake(P="[[q1; L1; 0; pi/2], [q2; 0; L2; pi/2], [-q3; 0; 0; 0]]"),
         "height_along_x": slip(
             arm("L1 + L2*cos(q2) + L3*cos(q2 - q3)", "L2*sin(q2) + L3*sin(q2 - q3)"),
             P="[[q1; 0; L1; pi/2], [q2; 0; L2; 0], [-q3; 0; 0; 0]]",

@@ -116,7 +116,7 @@ def answers(givens: Givens) -> Answers:
         "n": Integer(),
         "p5": Integer(),
         "p4": Integer(),
-        "F_formula": Expression("F"),
+        "F_formula": Expression("F", called="W"),
         "F": Integer(),
         **({"W": Integer()} if roller else {}),
         "k_formula": Expression("k"),
