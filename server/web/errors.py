@@ -119,9 +119,10 @@ def printable(part: object) -> str:
 def respond(request: Request, error: Refused, kept: Sequence[tuple[str, str]] = ()) -> Response:
     """Answer with an error: JSON below /api, for programs and probes; a page for a browser, with what was typed."""
     spoken = language.of(request)
+    values = _named(spoken, error.values) if wants_page(request) else error.values
     problem = Problem(
         code=error.code,
-        message=error.said or language.say(spoken, f"errors.{error.code}", **error.values),
+        message=error.said or language.say(spoken, f"errors.{error.code}", **values),
         field=error.field,
         position=error.position,
         opens=error.opens,
@@ -131,11 +132,20 @@ def respond(request: Request, error: Refused, kept: Sequence[tuple[str, str]] = 
         back = quote(request.url.path, safe="/")
         return RedirectResponse(f"/signin?next={back}", 303, {"Content-Language": spoken})
     if wants_page(request):
-        before = retained.page_before(request) if error.code in ENDED else None
-        context = {"status": error.status_code, "message": problem.message, "kept": kept, "before": before}
+        before, ended = retained.page_before(request), error.code in ENDED
+        context = {
+            "status": error.status_code, "message": problem.message, "kept": kept, "before": before, "ended": ended,
+            "posted": request.method == "POST",
+        }  # fmt: skip
         return templating.error_page(request, spoken, context, problem.request_id, error.headers)
     body = Failure(error=problem).model_dump()
     return JSONResponse(body, error.status_code, {**(error.headers or {}), "Content-Language": spoken})
+
+
+def _named(spoken: str, values: Mapping[str, object]) -> Mapping[str, object]:
+    """Name the field of a form as people call it; programs read the name that they send."""
+    known = language.words(spoken).get(f"fields.{values.get('name')}")
+    return {**values, "name": known} if known else values
 
 
 def wants_page(request: Request) -> bool:

@@ -33,4 +33,5 @@ def page_before(request: Request) -> str:
     if request.method != "POST":
         return request.url.path
     before = urlsplit(request.headers.get("referer", ""))
-    return before.path if before.path and before.netloc == request.headers.get("host") else "/home"
+    ours = before.netloc == request.headers.get("host") and before.path.startswith("/")
+    return before.path if ours and not before.path.startswith("//") else "/home"

@@ -41,7 +41,9 @@ def test_what_a_store_that_is_away_cannot_take_is_given_back(client: TestClient)
     assert "/signin?next" not in reply.text
 
 
-@pytest.mark.parametrize("referer", ["https://elsewhere.example/variants/X", "", "//"])
+@pytest.mark.parametrize(
+    "referer", ["https://elsewhere.example/variants/X", "", "//", "http://testserver//elsewhere.example"]
+)
 def test_signing_in_again_never_leads_elsewhere(school: School, referer: str) -> None:
     reply = school.browser().post(DESK, data=TYPED, headers={**PAGE, "referer": referer})
     assert 'href="/signin?next=/home"' in reply.text
@@ -52,3 +54,19 @@ def test_a_body_that_is_no_form_is_not_shown(school: School) -> None:
     reply = school.browser().post(DESK, content=b"answer.l3=\xff\xfe", headers=headers)
     assert reply.status_code == 422
     assert "<textarea" not in reply.text
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "back"),
+    [
+        ("pl", "Wartość pola „liczba minut” (liczba całkowita)", "Wróć na poprzednią stronę"),
+        ("en", "The value of “minutes” (a whole number)", "Back to the page before"),
+        ("ru", "«число минут» (целое число)", "На предыдущую страницу"),
+    ],
+)
+def test_a_field_that_is_refused_is_named_for_people(school: School, language: str, said: str, back: str) -> None:
+    path = f"/courses/{school.course}"
+    page = {"accept": "text/html", "accept-language": language, "referer": f"http://testserver{path}"}
+    reply = school.browser("lecturer").post(f"{path}/extend", data={"minutes": "soon", "seen": ""}, headers=page)
+    assert reply.status_code == 422
+    assert said in reply.text and f'<a href="{path}">{back}</a>' in reply.text
