@@ -46,8 +46,8 @@ async def sign_in(request: Request, bench: Tools, reader: Asking) -> Response:
 
 @router.post("/signout")
 async def sign_out(request: Request, bench: Tools) -> Response:
-    """Sign this browser out."""
-    response = RedirectResponse("/", 303)
+    """Sign this browser out; drafts it kept are not there for the next person at the same computer."""
+    response = RedirectResponse("/", 303, {"Clear-Site-Data": '"storage"'})
     await sessions.end(request, response, bench)
     return response
 

@@ -95,7 +95,8 @@ def test_pages_ask_to_sign_in_and_come_back(school: School) -> None:
     assert browser.post("/signin", data=form).headers["location"] == "/account"
     for elsewhere in ("https://evil.example", "//evil.example", "/\\evil.example", "", "/\n/evil.example"):
         assert browser.post("/signin", data=form | {"next": elsewhere}).headers["location"] == "/home"
-    assert browser.post("/signout").status_code == 303
+    reply = browser.post("/signout")
+    assert (reply.status_code, reply.headers["clear-site-data"]) == (303, '"storage"')
     assert browser.get("/api/v1/me").status_code == 401
 
 

@@ -121,7 +121,7 @@ def test_the_builder_shows_any_seed_in_any_language_and_twenty_in_a_table(course
 def test_a_student_sees_the_rules_and_the_points_before_the_click(course: Course) -> None:
     number = course.published(rules={"mode": "exam", "minutes": 90}, opens=moment(hours=-1))
     page = course.student.get(f"/sets/{number}?lang=en").text
-    for said in ("This is an examination", "90 min", "Worth 10 points", "Attempts used: 0 of 2", "Open task 1"):
+    for said in ("This is an examination", "90 min", "Worth: 10 pt", "Attempts used: 0 of 2", "Open task 1"):
         assert said in page
     path = course.student.post(f"/sets/{number}/items/1", data={"another": "no"}).headers["location"]
     graded = course.student.post(path, data={"answer.l3": "1 m"}).headers["location"].split("#")[0]
