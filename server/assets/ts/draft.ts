@@ -107,7 +107,7 @@ class Draft {
     this.sending = false;
     if (copy !== null) this.accepted(answers, copy);
     else if (status === 409) await this.reread();
-    else this.failed();
+    else this.failed(status === 401 || status === 404);
   }
 
   private accepted(answers: Answers, copy: ServerCopy): void {
@@ -136,8 +136,8 @@ class Draft {
     if (this.quarrel.length === 0) await this.send();
   }
 
-  private failed(): void {
-    this.cell.show("unsaved");
+  private failed(ended = false): void {
+    this.cell.show(ended ? "ended" : "unsaved");
     this.again(RETRIES[Math.min(this.failures, RETRIES.length - 1)] ?? 0);
     this.failures += 1;
   }

@@ -1,6 +1,6 @@
 /* The words of the draft: saved, saving, not saved; spoken only when the state changes. */
 
-export type State = "saved" | "saving" | "unsaved";
+export type State = "saved" | "saving" | "unsaved" | "ended"; // ended: the server knows this reader no more
 
 export interface Cell {
   show(state: State, time?: Date): void;
@@ -21,16 +21,18 @@ export function draftCell(form: HTMLFormElement, isLocal: () => boolean): Cell {
   const [seen, place, spoken] = [find("state"), find("place"), find("spoken")];
   let told: State = "saved";
   put(place, words["places"]);
+  const unsaved = (state: State, kept: string): string | undefined =>
+    words[isLocal() ? (state === "ended" ? "ended" : kept) : "lost"];
   const speak = (state: State): void => {
     if (state === "saving" || state === told) return;
     told = state;
-    put(spoken, state === "saved" ? words["spoken"] : words[isLocal() ? "notSaved" : "lost"]);
+    put(spoken, state === "saved" ? words["spoken"] : unsaved(state, "notSaved"));
   };
   return {
     show(state, time = new Date()) {
-      const text = state === "saved" ? words["saved"]?.replace("{time}", clock(time)) : words[state];
-      put(seen, text);
-      put(place, state !== "unsaved" ? words["places"] : words[isLocal() ? "here" : "lost"]);
+      const lost = state === "unsaved" || state === "ended";
+      put(seen, state === "saved" ? words["saved"]?.replace("{time}", clock(time)) : words[lost ? "unsaved" : state]);
+      put(place, lost ? unsaved(state, "here") : words["places"]);
       speak(state);
     },
   };

@@ -13,7 +13,7 @@ from exercises.solving import solved
 from exercises.variants import deal
 from graders import KINDS
 from tests.server.browser import components, posing
-from tests.server.browser.walking import desk
+from tests.server.browser.walking import desk, follow
 from tests.server.conftest import Live
 
 TASKS = {
@@ -235,6 +235,15 @@ def test_a_lost_connection_keeps_the_answers_and_sends_them_when_it_is_back(page
     other.fill("[name='answer.v3']", "1 m/s")
     expect(page.locator("[name='answer.v3']")).to_have_value("1 m/s")
     other.close()
+
+
+def test_who_is_not_known_any_more_is_told_to_sign_in(page: Page, site: Live) -> None:
+    desk(page, site.url)
+    page.context.clear_cookies()
+    page.fill("[name='answer.l3']", "500 mm")
+    expect(page.locator("[data-draft-place]")).to_contain_text("your session has ended: sign in in another tab")
+    follow(page, "button.main")
+    assert page.locator("textarea[readonly]").input_value() == "500 mm"
 
 
 def test_what_is_handed_in_without_a_connection_waits_for_it(page: Page, site: Live) -> None:
