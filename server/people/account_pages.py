@@ -14,6 +14,7 @@ from server.courses import api as courses
 from server.courses import zones
 from server.people import api as people
 from server.people import identity, sessions
+from server.people.agents import called
 from server.people.passwords import SHORTEST
 from server.policy import Role
 from server.reader import Asking, Reader, admit
@@ -129,6 +130,7 @@ async def _account(
     context = {
         "person": person,
         "sessions": await bench.people.sessions(person.id),
+        "called": called,
         "current": reader.session.digest if reader.session else "",
         "tokens": await bench.people.tokens(person.id),
         "roles": [role.name.lower() for role in Role if Role.ANONYMOUS < role <= reader.role],
