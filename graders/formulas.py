@@ -31,10 +31,11 @@ def checked(tree: Tree, text: str, symbols: Symbols) -> Tree:
     Raises:
         AnswerSyntaxError: A relation or a matrix stands in it, a symbol that may not be used, or an impulse.
     """
-    for node in walk(tree):
-        if isinstance(node, Relation | Grid | Index):
-            raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text.strip()[:20])
-    refuse_impulses(tree, text)
+    kinds = {type(node) for node in walk(tree)}
+    if not kinds.isdisjoint((Relation, Grid, Index)):
+        raise AnswerSyntaxError(Reason.NOT_AN_EXPRESSION, 0, text.strip()[:20])
+    if Call in kinds:
+        refuse_impulses(tree, text)
     forbidden = sorted(names(tree) - symbols.names)
     if forbidden:
         raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, place_of(forbidden[0], text), forbidden[0])

@@ -110,8 +110,6 @@ Tree: TypeAlias = Number | Name | Unary | Binary | Call | Angle | Grid | Index |
 
 def children(tree: Tree) -> tuple[Tree, ...]:
     """Give the direct subtrees in the order they are written."""
-    if isinstance(tree, (Name, Number)):  # most nodes are leaves
-        return ()
     if isinstance(tree, Binary):
         return (tree.left, tree.right)
     match tree:
@@ -131,7 +129,7 @@ def children(tree: Tree) -> tuple[Tree, ...]:
 
 def names(tree: Tree) -> frozenset[str]:
     """Give the symbols that occur in a tree, `pi` left out."""
-    return frozenset(node.name for node in walk(tree) if isinstance(node, Name) and node.name != "pi")
+    return frozenset({node.name for node in walk(tree) if isinstance(node, Name)} - {"pi"})
 
 
 def walk(tree: Tree) -> Iterator[Tree]:
@@ -140,7 +138,8 @@ def walk(tree: Tree) -> Iterator[Tree]:
     while pending:
         node = pending.pop()
         yield node
-        pending.extend(reversed(children(node)))
+        if not isinstance(node, (Name, Number)):  # most nodes are leaves
+            pending.extend(reversed(children(node)))
 
 
 def mapped(tree: Tree, change: Callable[[Tree], Tree]) -> Tree:
