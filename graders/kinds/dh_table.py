@@ -139,7 +139,7 @@ class DHTable:
 def _read(text: str, symbols: Symbols) -> Grid:
     """Read a matrix; lines without brackets are its rows."""
     lines = text.strip().split("\n")
-    if len(lines) < 2 or "[" in text or "\\" in text:
+    if len(lines) < 2 or "[" in text or "\\begin" in text:
         return read_grid(text, symbols)
     try:
         return read_grid("[[" + "],[".join(lines) + "]]", symbols)

@@ -1,4 +1,8 @@
-"""What is told of a table of frames beside right and wrong: places of what cannot be read, what is kept and carried."""
+"""What is told of a table of frames beside right and wrong: places of what cannot be read, what is kept and carried.
+
+Mutants of this judge that live on change nothing that can be seen: another agreement before the first table is tried,
+and the second reading tried although the first agrees.
+"""
 
 from __future__ import annotations
 
@@ -45,6 +49,7 @@ def test_what_may_be_another_formula_between_the_states_is_kept_for_the_lecturer
         ("q1; 0; 0; 0\nq2; 0; 0; 0\nzz; q3; 0; 0", Reason.UNKNOWN_NAME, 24, "zz"),
         ("q1; 0; 0; 0\nq2; 0; 0; 0\n0; q3; 0; zz", Reason.UNKNOWN_NAME, 34, "zz"),
         ("\n q1; 0; 0; 0\nq2; 0; zz; 0\n0; q3; 0; 0", Reason.UNKNOWN_NAME, 21, "zz"),
+        (r"q1; 0; 0; \frac{\pi}{2}" + "\n" + r"q2; 0; 0; \qq", Reason.UNKNOWN_NAME, 34, r"\qq"),
         ("q1; 0; 0; 0\nq2; 0; 0\n0; q3; 0; 0", Reason.RAGGED_MATRIX, 0, "["),
         ("q1; 0; 0; 0\nq2; 0; 0; \n0; q3; 0; 0", Reason.MISSING_ENTRY, 22, "(2, 4)"),
         ("q1; 0; 0; 0 +\nq2; 0; 0; 0\n0; q3; 0; 0", Reason.MISSING_ENTRY, 13, "(1, 4)"),
@@ -64,6 +69,8 @@ def test_what_cannot_be_read_is_named_with_its_place(typed: str, reason: Reason,
         f"\n{LINES}\n",
         "[" + ";\n".join(f"[{line}]" for line in LINES.split("\n")) + "]",
         LINES.replace("; ", "\t"),
+        LINES.replace("pi/2", r"\frac{\pi}{2}").replace("L1", "L_1"),
+        "\\begin{bmatrix}\n" + LINES.replace(";", " &").replace("\n", " \\\\\n") + "\n\\end{bmatrix}",
     ],
 )
 def test_rows_may_stand_on_lines_with_brackets_and_without(typed: str) -> None:
