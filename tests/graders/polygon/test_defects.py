@@ -222,6 +222,17 @@ def test_each_part_has_its_fifth_of_the_score(name: str, score: float) -> None:
     assert judged(DEFECTS[name][0]).score == pytest.approx(score, abs=1e-6)
 
 
+def test_names_that_are_no_unknowns_take_no_more_than_the_share_of_the_list() -> None:
+    verdict = judged(changed(("unknowns: alpha2; l3", "unknowns: alpha2; l3; l1; l2; alpha1")))
+    assert verdict.score == 0.8
+
+
+def test_an_angle_that_mends_one_projection_alone_is_not_taken_for_measured_otherwise() -> None:
+    text = changed(("+ l2*sin(alpha2) = 0", "- l2*sin(alpha2) = 0"), ("+ l2*cos(alpha2) - l3 = 0", "- l3 = 0"))
+    assert flaws(text) == [("term_missing", "l2", "x"), ("projection_sign", "l2", "y")]
+    assert judged(text).score == 0.6
+
+
 def test_nothing_right_has_no_credit() -> None:
     text = "l1: B > A, length l2, angle alpha1\ny: l1 = l2\nx: l1 = 2*l2"
     verdict = judged(text)
