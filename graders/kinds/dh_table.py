@@ -150,7 +150,7 @@ def _read(text: str, symbols: Symbols) -> Grid:
             place -= len(lines[before]) + 3
             before += 1
         place = max(0, place) + sum(len(line) + 1 for line in lines[:before]) + lead
-        raise error.moved(place) from None
+        raise error.moved(min(place, len(text))) from None
 
 
 Entries = tuple[tuple[Tree, ...], ...]

@@ -50,6 +50,8 @@ def test_what_may_be_another_formula_between_the_states_is_kept_for_the_lecturer
         ("q1; 0; 0; 0\nq2; 0; 0; 0\n0; q3; 0; zz", Reason.UNKNOWN_NAME, 34, "zz"),
         ("\n q1; 0; 0; 0\nq2; 0; zz; 0\n0; q3; 0; 0", Reason.UNKNOWN_NAME, 21, "zz"),
         (r"q1; 0; 0; \frac{\pi}{2}" + "\n" + r"q2; 0; 0; \qq", Reason.UNKNOWN_NAME, 34, r"\qq"),
+        ("q1; 0; 0; 0\n0; q3; 0; (2", Reason.EXTRA_BRACKET, 24, "]"),
+        ("q1; 0; 0; 0\n0; q3; 0; 2]", Reason.EXTRA_BRACKET, 24, "]"),
         ("q1; 0; 0; 0\nq2; 0; 0\n0; q3; 0; 0", Reason.RAGGED_MATRIX, 0, "["),
         ("q1; 0; 0; 0\nq2; 0; 0; \n0; q3; 0; 0", Reason.MISSING_ENTRY, 22, "(2, 4)"),
         ("q1; 0; 0; 0 +\nq2; 0; 0; 0\n0; q3; 0; 0", Reason.MISSING_ENTRY, 13, "(1, 4)"),

@@ -10,8 +10,9 @@ from math import cos, pi, sin
 
 import pytest
 
-from graders import AnswerSyntaxError, Code, Equation, Formula
+from graders import AnswerSyntaxError, Code, Equation, Formula, States
 from graders.language import Reason, parse_line
+from graders.solutions.posed import box_of
 from graders.verdict import Witness
 from tests.graders.solutions.crank import ALPHA2, GIVEN, L3, STATES, WITH_ROD, surprises, verdict
 
@@ -103,3 +104,9 @@ def test_an_equation_is_shown_and_echoed_as_it_may_be_typed() -> None:
     assert "<mn>0.5</mn>" in ROD.echo(answer).mathml
     assert "<mn>0,5</mn>" in ROD.echo(answer, comma=True).mathml
     assert ROD.describe() == {"unknowns": ["alpha2"]}
+
+
+def test_the_box_of_states_that_name_none_is_that_of_their_points() -> None:
+    scene = box_of(States(("a", "b"), ((1.0, 5.0), (3.0, 4.0))))
+    assert scene.ranges == ((1.0, 3.0), (4.0, 5.0))
+    assert scene.points == ((1.0, 5.0), (3.0, 4.0))
