@@ -1,7 +1,7 @@
 """What is told of a table of frames beside right and wrong: places of what cannot be read, what is kept and carried.
 
 Mutants of this judge that live on change nothing that can be seen: another agreement before the first table is tried,
-and the second reading tried although the first agrees.
+the second reading tried although the first agrees, and one line more where the place behind the last one is looked for.
 """
 
 from __future__ import annotations
