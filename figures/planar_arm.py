@@ -14,11 +14,12 @@ from typing import Literal
 from figures.canvas import Drawing, Piece
 from figures.joints import gripper, ground, ground_line, revolute, slider
 from figures.label import Label, point, symbol
-from figures.lines import arc, thin, thin_arrow, vector
+from figures.lines import arc, thin, thin_arrow
 from figures.members import link
-from figures.picture import Picture, Table, Words
+from figures.picture import Picture, Words
 from figures.placing import Spot, place, written
 from figures.plane import Point, direction, left_of, unit
+from figures.polygon import RING, between
 
 WIDTH = 572.0
 Word = Literal["OOP", "OPO", "POO"]
@@ -26,7 +27,6 @@ FIRST, BEND = radians(24), radians(50)  # the running direction, and what a revo
 LENGTHS = {"OOP": (170.0, 150.0, 120.0), "OPO": (160.0, 120.0, 150.0), "POO": (110.0, 170.0, 150.0)}
 NAMES = {"OOP": ("l_AB", "l_BC", "h3"), "OPO": ("l_AB", "h2", "l_CD"), "POO": ("h1", "l_BC", "l_CD")}
 SIDEWAYS = {"OOP": -pi / 2, "OPO": pi / 2, "POO": pi / 2}  # of a slide across, from its running direction
-RING = tuple(k * pi / 4 for k in (3, 2, 4, 1, 5, 0, 6, 7))
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,22 +86,7 @@ def draw_polygon(prefix: str, title: str, word: Word, across: bool, vectors: Seq
     """
     pose = _pose(word, across)
     nodes = dict(zip("ABCD", pose.nodes, strict=True)) | {"E": complex(pose.nodes[3].real, 0)}
-    pieces: list[Piece] = [*_axes()]
-    known = [(name, nodes[a], nodes[b]) for name, a, b in vectors if a in nodes and b in nodes and nodes[a] != nodes[b]]
-    for _, start, end in known:
-        pieces += vector(start, end)
-    for name, at in nodes.items():
-        pieces += place(
-            point(name), [(at + far * unit(turn) - 6j, "middle") for far in (18, 24) for turn in RING], pieces
-        )
-    for name, start, end in known:
-        spots: list[Spot] = [
-            (left_of(start, end, off, s) - 5j, "middle") for off in (18, -18, 26) for s in (0.5, 0.35, 0.65)
-        ]
-        pieces += place(symbol(name, "pos"), spots, pieces)
-    rows = tuple((name, f"{a} → {b}") for name, a, b in vectors)
-    svg = Drawing(tuple(pieces)).to_svg(prefix, title, "; ".join(f"{n}: {way}" for n, way in rows), WIDTH)
-    return Picture(svg, Table(("", ""), rows))
+    return between(prefix, title, nodes, vectors, _axes(), WIDTH)
 
 
 def _axes() -> tuple[Piece, ...]:

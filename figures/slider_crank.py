@@ -5,6 +5,7 @@ The crank turns about A, the rod runs from B to C, the slider moves along x thro
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import asin, cos, radians, sin
 from typing import Literal
@@ -17,7 +18,7 @@ from figures.members import link
 from figures.picture import Picture, Words
 from figures.placing import written
 from figures.plane import Point, direction, left_of, unit
-from figures.polygon import Side, side
+from figures.polygon import Side, between, side
 
 CRANK, ROD, CRANK_ANGLE = 138.0, 368.0, radians(46)
 WIDTH = 572.0
@@ -55,6 +56,18 @@ def draw(prefix: str, words: Words, names: Names, sense: Literal["ccw", "cw"] = 
         pieces = [*_scheme(names, sense), *written(symbol("x", "thin"), _C + 62 + 8j, "middle")]
     svg = Drawing(tuple(pieces)).to_svg(prefix, words.title, words.description, WIDTH)
     return Picture(svg, words.table)
+
+
+def draw_polygon(prefix: str, title: str, vectors: Sequence[tuple[str, str, str]]) -> Picture:
+    """Draw a student's vectors between the nodes A, B and C, in the pose of the scheme.
+
+    Args:
+        prefix: The id of the figure on its page.
+        title: What it shows.
+        vectors: Name, start and end of each vector; one with an unknown node is left out.
+    """
+    axes = (axis(_A - 38, _C + 66), *written(symbol("x", "thin"), _C + 62 + 8j, "middle"))
+    return between(prefix, title, {"A": _A, "B": _B, "C": _C}, vectors, axes, WIDTH)
 
 
 def _projections() -> tuple[Piece, ...]:

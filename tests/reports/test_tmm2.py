@@ -114,6 +114,14 @@ def test_a_filled_report_holds_the_students_own_answers_and_the_receipt() -> Non
     assert not any(isinstance(block, Ruled) and block.squared for block in filled().blocks)
 
 
+@pytest.mark.parametrize("exercise", LABORATORIES)
+def test_every_laboratory_draws_the_students_own_polygon(exercise: str) -> None:
+    (beside,) = [block for block in filled(exercise).blocks if isinstance(block, Beside)]
+    names = re.findall(r"<desc[^>]*>(.*)</desc>", beside.drawings[1].svg)
+    assert "l1: A → B" in names[0] and "l2: B → C" in names[0]
+    assert not any(isinstance(block, Ruled) and block.squared for block in filled(exercise).blocks)
+
+
 def test_an_answer_that_was_not_given_or_not_read_is_said_so() -> None:
     said = texts(filled(x_D="", y_D="3 +* ("))
     assert "brak odpowiedzi" in said and "3 +* (" in said and "nie odczytano" in said

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from figures import slider_crank
@@ -15,3 +15,8 @@ def figure(givens: object, words: Mapping[str, Any], lang: str) -> Picture:
     said = Words(words["title"], words["description"], table)
     names = slider_crank.Names(angles=("α1", ""))
     return slider_crank.draw("slider-crank-polygon", said, names, polygon=False)
+
+
+def polygon(givens: object, title: str, vectors: Sequence[tuple[str, str, str]]) -> Picture:
+    """Draw a student's vectors between the nodes, in the same pose."""
+    return slider_crank.draw_polygon("slider-crank-own-polygon", title, vectors)
