@@ -248,3 +248,9 @@ def test_a_sum_of_a_pdf_breaks_between_its_terms_and_a_long_product_where_it_mus
 
 def test_a_formula_of_a_note_is_as_small_as_the_note() -> None:
     assert "math.equation: set text" not in source(report())
+
+
+def test_the_givens_stand_in_rows_of_one_line_and_longer_cells_in_rows_as_high_as_they_need() -> None:
+    assert "rows: 20pt" in source(report())
+    long = Table((), ((("x" * 40,),),))
+    assert "rows:" not in source(Document("t", "s", "en", (long,)))
