@@ -184,9 +184,14 @@ def _follows(
     except UndefinedError:
         return False
     return (
-        plausible(values[step], solved.values[step], grader.kind == "integer")
+        plausible(values[step], solved.values[step], _counted(solved, step))
         and grader.check(answer, values[step]).code is Code.RIGHT
     )
+
+
+def _counted(solved: Solved, step: str) -> bool:
+    """Tell whether a step is a whole number of things, whichever answer asks for it."""
+    return any(judge.kind == "integer" and solved.step_of(name) == step for name, judge in solved.answers.items())
 
 
 def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree]) -> None:
@@ -198,7 +203,7 @@ def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree
         value = carried if isinstance(carried, float | tuple | str) else solved.again(fixed={step: carried})[step]
     except UndefinedError:
         return
-    if plausible(value, solved.values[step], solved.answers[name].kind == "integer"):
+    if plausible(value, solved.values[step], _counted(solved, step)):
         fixed[step] = carried
 
 

@@ -6,7 +6,7 @@ from graders.judge import Matrix, Value
 
 PLAUSIBLE = 1e3  # follow-through only from values within this factor of the reference, either way
 FULL = 2 / 3  # of the share of entries of a right matrix that are not zero
-FEW = 2  # things counted
+FEW = 3  # things counted: the freedoms of a link in the plane
 
 
 def plausible(value: Value, right: Value, counts: bool = False) -> bool:

@@ -9,7 +9,7 @@ from exercises.exercise import Grade, Submission, Variant
 from exercises.grading import grade, reference
 from exercises.solving import solved
 from exercises.structure.mobility import Givens
-from exercises.structure.mobility.parts import Dyad, Start
+from exercises.structure.mobility.parts import Dyad, Start, Strut
 from graders import Code
 
 DYADS = Dyad("rocker_down", "link"), Dyad("slider_level", "joint")
@@ -45,6 +45,14 @@ def test_a_number_off_by_one_beside_the_right_formula_is_put_down_to_no_formula(
     for number in (loops - 1, loops + 1):
         assert handed_in(GEARS, k=str(number)).mistake is None
     assert made(GEARS, k="p5 + p4 - n + 1").mistake == "loops_without_frame"
+
+
+def test_what_follows_from_the_freedoms_of_one_link_too_many_is_followed() -> None:
+    """Also where the right mobility is none."""
+    rigid = Variant("mobility", 2, 1, Givens((Start("cam"), *DYADS, Strut("link")), "left"))
+    found = made(rigid, F="3*(n + 1) - 2*p5 - p4")
+    assert (reference(rigid)["F"], found.mistake) == ("0", "frame_moves")
+    assert found.verdicts["F"].code is found.verdicts["drives"].code is Code.FOLLOWED
 
 
 @pytest.mark.parametrize(
