@@ -23,7 +23,7 @@ from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside, flat_zero
 from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
-from graders.solutions.reduction import degrees, factors, reduced, residual
+from graders.solutions.reduction import cleared, degrees, factors, reduced, residual
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -111,9 +111,11 @@ class Pair:
 
     def __init__(self, scene: Scene, trees: Sequence[Tree], unknown: int) -> None:
         self.scene, self.trees, self.unknown = scene, trees, unknown
-        parts = [factors(tree) for tree in trees]
-        several = any(len(part) > 1 for part in parts)
         self.name = scene.names[unknown]
+        numerators = [cleared(tree, self.name) for tree in trees]
+        parts = [factors(tree) for tree in numerators]
+        several = any(len(part) > 1 for part in parts) or numerators != list(trees)
+        self.fractions = [numerator is not tree for numerator, tree in zip(numerators, trees, strict=True)]
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
         self.both = Residuals(scene, [[tree] for tree in trees] + (parts if several else []), Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
@@ -188,15 +190,21 @@ class Pair:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
         for source in self._sources():
             for which, zero in source:
-                self.found[which].append(zero)
-                yield which, zero
+                if self._holds(which, zero):
+                    self.found[which].append(zero)
+                    yield which, zero
             if self._enough and self._all_plain and not self.branches:
                 return
         if self._enough and self._all_plain:
             return
         for which in (0, 1):
             for zero in self._along_lines(which, [*self.found[0], *self.found[1]]):
-                yield which, zero
+                if self._holds(which, zero):
+                    yield which, zero
+
+    def _holds(self, which: int, zero: Zero) -> bool:
+        """Tell whether a zero of a numerator is one of the side: it may be a pole."""
+        return not self.fractions[which] or beside(self.sides[which], zero) is Beside.ZERO
 
     def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
         points = self.scene.points

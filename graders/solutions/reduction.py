@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from operator import add
 
-from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children
+from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children, walk
 
 SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
+MOST_CLEARED = 4  # denominators that hold the unknown
 BENT = 3  # a degree that is neither first nor second
 
 
@@ -52,6 +53,42 @@ def factors(tree: Tree) -> list[Tree]:
     if isinstance(tree, Binary) and tree.operator == "*":
         return [*factors(tree.left), *factors(tree.right)]
     return [tree]
+
+
+def cleared(tree: Tree, unknown: str) -> Tree:
+    """Give the numerator of a tree over the denominators that hold an unknown: zero where the tree is, and at poles.
+
+    A tree with many of them is given as it is: its numerator would be far longer.
+    """
+    held = sum(isinstance(node, Binary) and _divides_by(node, unknown) for node in walk(tree))
+    return _fraction(tree, unknown)[0] if 0 < held <= MOST_CLEARED else tree
+
+
+def _fraction(tree: Tree, unknown: str) -> tuple[Tree, Tree | None]:
+    """Give a numerator and a denominator, if there is one."""
+    match tree:
+        case Binary(operator="+" | "-", left=left, right=right):
+            (a, b), (c, d) = _fraction(left, unknown), _fraction(right, unknown)
+            return Binary(tree.operator, _product(a, d), _product(c, b)), b if d is None else _product(d, b)
+        case Binary(operator="*", left=left, right=right):
+            (a, b), (c, d) = _fraction(left, unknown), _fraction(right, unknown)
+            return _product(a, c), b if d is None else _product(d, b)
+        case Binary(operator="/", left=left, right=right) if _divides_by(tree, unknown):
+            (a, b), (c, d) = _fraction(left, unknown), _fraction(right, unknown)
+            return _product(a, d), _product(c, b)
+        case Binary(operator="/", left=left, right=right):
+            a, b = _fraction(left, unknown)
+            return Binary("/", a, right), b
+    return tree, None
+
+
+def _product(one: Tree, other: Tree | None) -> Tree:
+    return one if other is None else Binary("*", one, other)
+
+
+def _divides_by(tree: Binary, unknown: str) -> bool:
+    """Tell a quotient by something of first or second degree in the unknown: it is finite where its parts are."""
+    return tree.operator == "/" and 0 < degrees(tree.right, {}).get(unknown, 0) < BENT
 
 
 def degrees(tree: Tree, known: Mapping[str, Mapping[str, int]]) -> dict[str, int]:

@@ -41,6 +41,9 @@ EQUAL = [
     ("y", "|y| = a", "y^2 = a^2"),
     ("y", "(y - a)*(y - b) = 0", "y^2 - (a + b)*y + a*b = 0"),
     ("y", "a = b", "2*a - 2*b = 0"),
+    ("y", "1/(y - 5) + 1/a = 1/b", "y = 5 + a*b/(a - b)"),
+    ("y", "(y - a)*(y + b)/(y + 5) = 0", "y^2 + (b - a)*y = a*b"),
+    ("x", "1/tan(x) = a", "x = atan(1/a)"),
     ("y", "1e200*y = 1e200*a", "1e-200*y = 1e-200*a"),
     ("y", "y^40 = a^40", "|y| = a"),
 ]
@@ -66,6 +69,8 @@ DIFFERENT = [
     ("y", "<y - a>^1 = 0", "y = a"),
     ("y", "sign(y - a) = 1/2", "y = a"),
     ("y", "y = |a - b|", "y = a - b"),
+    ("y", "(y - a)*(y - b)/(y - b) = 0", "(y - a)*(y - b) = 0"),
+    ("y", "1/(y - 5) + 1/a = 1/b", "y = 5 - a*b/(a - b)"),
     ("y", "(y - a)*(y - b) = 0", "y = a"),
     ("y", "y*sqrt(y - b) = a*sqrt(y - b)", "y = a"),
 ]
@@ -128,6 +133,8 @@ def test_a_root_that_few_values_of_the_others_bring_into_the_range_counts() -> N
         ("y", "exp(-y*a) = b", "y = -ln(b)/a", 1500),
         ("x", "16*a/(pi*x^3) = b", "x = root(16*a/(pi*b); 3)", 1800),
         ("a2", "tan(a2) = a/b", "a2 = atan2(a; b)", 1200),
+        ("y", "a/(y + b) = 1/3", "y = 3*a - b", 1500),
+        ("w3", "(w1 - w3)/(w2 - w3) = -b/a", "w3*(a + b) = w1*a + w2*b", 1500),
     ],
 )
 def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
