@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from html import unescape
 from typing import Any
 
@@ -280,3 +280,24 @@ def test_the_builder_names_the_tasks_of_a_slot_and_has_nothing_to_judge_again_ye
     assert '<p class="help">Slider-crank by the vector polygon</p>' in page
     page = course.lecturer.get(f"/sets/{number}/regrade?lang=en").text
     assert "Only a published set can be judged again." in page and "<form" not in page.partition("<main")[2]
+
+
+def test_the_page_says_why_nothing_more_can_be_handed_in(course: Course) -> None:
+    number = course.published(title="Used up", item={"exercise": "slider_crank", "attempts": 1})
+    variant = course.variant(number)
+    path, button = f"/variants/{variant}?lang=en", 'data-sending="Checking…"'
+    page = course.student.get(path).text
+    assert "An unreadable answer costs nothing." in page and f"{button}>" in page
+    page = course.lecturer.get(path).text
+    assert "only the student can hand in" in page and button not in page
+    course.hand_in(variant, {"l3": "1 mm"})
+    page = course.student.get(path).text
+    assert "The attempts of this task are used up." in page and f"{button} disabled" in page
+    course.date(number, datetime.now(UTC) - timedelta(hours=2), datetime.now(UTC) - timedelta(hours=1))
+    assert "This set is closed." in course.student.get(path).text
+
+
+def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course: Course) -> None:
+    path = f"/variants/{course.variant(course.published(item={'exercise': 'tmm2_oop'}))}"
+    assert 'name="section"' in course.student.get(path).text
+    assert 'name="section"' not in course.lecturer.get(path).text
