@@ -241,6 +241,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "reported": work.reported,
         "mine": may_answer(reader.owner_id, dealt),
         "right": sum(verdict.outcome == "right" for verdict in judged),
+        "judged": any(verdict.outcome != "unreadable" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
         "marks": [one for one in result.by_hand if all(one not in line.marks for line in laid)] if result else [],
         "price": await price(bench, reader, dealt),

@@ -201,3 +201,15 @@ def test_the_language_switch_stays_on_the_page(client: TestClient, deal: Callabl
 def test_an_answer_named_by_a_word_shows_no_symbol(client: TestClient, deal: Callable[..., str], language: str) -> None:
     page = client.get(f"/variants/{deal('four_bar')}?lang={language}").text
     assert "<mi>assemblies</mi>" not in page and "<mi>ω</mi><mn>2</mn></msub><mo>=</mo>" in page
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("1 m/", "Not judged yet: mend what could not be read"), ("1 m", "0 of 5 right")]
+)
+def test_nothing_is_called_wrong_that_was_not_judged(
+    client: TestClient, deal: Callable[..., str], text: str, said: str
+) -> None:
+    page = post(client, deal(), {"v3": text})
+    heading = re.search(r'<h2 id="result"[^>]*>(.*?)</h2>', page)
+    assert heading is not None and heading[1] == said
+    assert ("not checked yet" in page) == said.startswith("Not judged")
