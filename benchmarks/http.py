@@ -3,7 +3,8 @@
 Both servers run the same application, middleware, schema and commit path; `NoGrading` is the whole difference. Every
 submission is the first to a variant of its own, taken from the server just before, and its formula is spelled otherwise
 than the reference: nothing is graded twice.
-Rounds alternate, so that a busy machine slows both. Every second submission may hold a slip, which is then explained.
+Rounds alternate, so that a busy machine slows both; the ratio by processor time hardly depends on what else it does.
+Every second submission may hold a slip, which is then explained.
 Run: ``uv run python benchmarks/http.py [--store postgres] [--slips]``; prints the ratio last.
 """
 
@@ -22,11 +23,11 @@ import subprocess  # noqa: E402
 import time  # noqa: E402
 from dataclasses import dataclass, replace  # noqa: E402
 from statistics import median  # noqa: E402
-from typing import Any  # noqa: E402
+from typing import Any, TypeAlias  # noqa: E402
 
 import uvicorn  # noqa: E402
 
-from benchmarks.stores import KINDS, settings, stores  # noqa: E402
+from benchmarks.stores import KINDS, cpu, settings, stores  # noqa: E402
 from exercises import grading  # noqa: E402
 from exercises.exercise import Grade, Submission  # noqa: E402
 from exercises.variants import deal  # noqa: E402
@@ -141,39 +142,54 @@ async def one_client(port: int, own: tuple[bytes, ...]) -> None:
     writer.close()
 
 
-async def measure(ports: dict[str, int], given: argparse.Namespace) -> dict[str, list[float]]:
+Rounds: TypeAlias = dict[str, list[tuple[float, float]]]  # submissions per second; processor of the server for each, s
+
+
+async def measure(ports: dict[str, int], processes: dict[str, int], given: argparse.Namespace) -> Rounds:
     """Load the servers in turn."""
-    rounds, requests, clients = given.rounds, given.requests, given.clients
-    rates: dict[str, list[float]] = {name: [] for name in ports}
+    rounds: Rounds = {name: [] for name in ports}
     for port in ports.values():
         await started(port)
-    for turn in range(rounds + 1):
+    for turn in range(given.rounds + 1):
         for name, port in ports.items():
-            rates[name].append(await load(await prepare(port, clients, requests, SEED + turn * requests, given.slips)))
-    return {name: found[1:] for name, found in rates.items()}  # the first round warms up
+            target = await prepare(port, given.clients, given.requests, SEED + turn * given.requests, given.slips)
+            before = cpu(processes[name])
+            rate = await load(target)
+            rounds[name].append((rate, (cpu(processes[name]) - before) / given.requests))
+    return {name: found[1:] for name, found in rounds.items()}  # the first round warms up
 
 
 def compare(given: argparse.Namespace) -> None:
     """Start both servers, load them in turn, print rates and ratio."""
     ports = {"graded": free_port(), "no-op": free_port()}
     with stores(given.store, len(ports)) as laid:
-        servers = [
-            subprocess.Popen([sys.executable, __file__, "--serve", name, str(port)], env={**os.environ, **environment})
+        servers = {
+            name: subprocess.Popen([sys.executable, __file__, "--serve", name, str(port)], env=os.environ | environment)
             for (name, port), environment in zip(ports.items(), laid, strict=True)
-        ]
+        }
         try:
-            rates = asyncio.run(measure(ports, given))
+            rounds = asyncio.run(measure(ports, {name: server.pid for name, server in servers.items()}, given))
         finally:
-            for server in servers:
+            for server in servers.values():
                 server.terminate()
                 server.wait()
+    report(rounds, given)
+
+
+def report(rounds: Rounds, given: argparse.Namespace) -> None:
+    """Print rates, the processor time for each submission, and both ratios."""
     answered = "every second with a slip" if given.slips else "all right"
     print(f"store {given.store}, {answered}, load average {os.getloadavg()[0]:.1f}")
-    for name, found in rates.items():
+    middle: dict[str, tuple[float, float]] = {}
+    for name, found in rounds.items():
+        rates, work = zip(*found, strict=True)
+        middle[name] = median(rates), median(work)
         print(
-            f"{name}: {median(found):.0f} submissions/s ({min(found):.0f} to {max(found):.0f} in {len(found)} rounds)"
+            f"{name}: {median(rates):.0f} submissions/s ({min(rates):.0f} to {max(rates):.0f} in {len(rates)} rounds), "
+            f"{1e3 * median(work):.2f} ms of a processor for each in the server"
         )
-    print(f"ratio {median(rates['graded']) / median(rates['no-op']):.2f}")
+    print(f"ratio by processor time {middle['no-op'][1] / middle['graded'][1]:.2f}")
+    print(f"ratio {middle['graded'][0] / middle['no-op'][0]:.2f}")
 
 
 def main() -> None:

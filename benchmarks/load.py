@@ -29,7 +29,7 @@ from typing import Any  # noqa: E402
 
 from sqlalchemy import insert, select  # noqa: E402
 
-from benchmarks.stores import KINDS, Environment, serving, settings, stores  # noqa: E402
+from benchmarks.stores import KINDS, Environment, cpu, serving, settings, stores  # noqa: E402
 from exercises import grading  # noqa: E402
 from exercises.variants import deal  # noqa: E402
 from server.database.engine import engine  # noqa: E402
@@ -271,12 +271,6 @@ def collected(browsers: Iterable[Browser]) -> tuple[list[float], Counter[int]]:
         browser.close()
         browser.wire = None
     return sorted(seconds), statuses
-
-
-def cpu(process: int) -> float:
-    """Tell how many seconds of a processor a process has used."""
-    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def percentiles(seconds: list[float]) -> str:

@@ -80,3 +80,9 @@ def wait_for(server: subprocess.Popen[bytes], port: int) -> None:
             if server.poll() is not None or time.monotonic() > deadline:
                 raise SystemExit("the server does not start") from None
             time.sleep(0.05)
+
+
+def cpu(process: int) -> float:
+    """Tell how many seconds of a processor a process has used."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
