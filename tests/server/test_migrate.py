@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -14,6 +15,10 @@ from server.database.engine import engine
 from server.migrate import MigrationError, current, migrate
 from server.settings import Settings
 from server.tables import metadata
+
+VERSIONS = Path(__file__).resolve().parents[2] / "server/migrations/versions"
+LATER = [path for path in sorted(VERSIONS.glob("0*.py")) if path.stem > "0006"]  # nothing was released before
+ADDING = {"add_column", "create_table", "create_index", "execute", "get_bind", "get_context"}
 
 
 def ours(name: str | None, kind: str, parents: object) -> bool:
@@ -54,3 +59,14 @@ def test_a_newer_store_is_refused(store_url: str) -> None:
     store.dispose()
     with pytest.raises(MigrationError, match="newer version"):
         migrate(store_url)
+
+
+@pytest.mark.parametrize("path", LATER, ids=[path.stem for path in LATER])
+def test_a_migration_only_adds_so_that_servers_of_the_version_before_go_on(path: Path) -> None:
+    calls = [node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Call)]
+    done = {ast.unparse(call.func) for call in calls}
+    assert {name for name in done if name.startswith("op.")} <= {f"op.{name}" for name in ADDING}
+    for call in calls:
+        if ast.unparse(call.func) == "op.add_column":
+            column = ast.unparse(call.args[1])
+            assert "nullable=False" not in column or "server_default=" in column, column
