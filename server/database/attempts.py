@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sqlalchemy import Connection, bindparam, func, insert, select
+from typing import Any
+
+from sqlalchemy import Connection, Select, bindparam, func, insert, select
 
 from server.database.hints import before, moments
 from server.database.practice import keep_submission
@@ -10,6 +12,7 @@ from server.storage import Marked
 from server.storage.sets import Line, NoAttemptLeft, Waiting
 from server.tables import attempts, deck, drafts, grades, slots, submissions, task_sets
 
+HANDED = deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time  # of a line
 PLACE = select(deck.c.slot, deck.c.person).where(deck.c.variant == bindparam("variant"))
 MINE = deck.c.slot == bindparam("slot"), deck.c.person == bindparam("person")
 SHARING = select(deck.c.id).where(*MINE).order_by(deck.c.id).with_for_update()
@@ -45,23 +48,24 @@ def _locked(connection: Connection, variant: str) -> dict[str, str]:
 
 def ledger(connection: Connection, number: str, person: str | None) -> list[Line]:
     """List the submissions to a set in the order received."""
+    query = graded(select(*HANDED, grades.c.grade, grades.c.counted), number, person)
+    opened = moments(connection, number)
+    rows = connection.execute(query.order_by(submissions.c.time, submissions.c.receipt)).mappings()
+    return [Line(**row, hints=before(opened, row["variant"], row["time"])) for row in rows]
+
+
+def graded(query: Select[Any], number: str, person: str | None) -> Select[Any]:
+    """Join the submissions to a set, of all students or one, with their cards and their newest grades."""
     given = grades.alias()
     newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
-    query = (
-        select(
-            deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-            grades.c.grade, grades.c.counted,
-        )
-        .join_from(submissions, deck, deck.c.variant == submissions.c.variant)
-        .join(slots, slots.c.id == deck.c.slot)
-        .join(grades, grades.c.id == newest)
-        .where(slots.c.task_set == number)
-        .order_by(submissions.c.time, submissions.c.receipt)
-    )  # fmt: skip
-    mine = query if person is None else query.where(deck.c.person == person)
-    opened = moments(connection, number)
-    rows = connection.execute(mine).mappings()
-    return [Line(**row, hints=before(opened, row["variant"], row["time"])) for row in rows]
+    joined = query.select_from(submissions).join(deck, deck.c.variant == submissions.c.variant)
+    return within(joined.join(grades, grades.c.id == newest), number, person)
+
+
+def within(query: Select[Any], number: str, person: str | None) -> Select[Any]:
+    """Keep what belongs to cards of a set, of all students or one."""
+    found = query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == number)
+    return found if person is None else found.where(deck.c.person == person)
 
 
 def waiting(connection: Connection) -> list[Waiting]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, select
 
+from server.database.attempts import HANDED, graded, within
 from server.database.audit import noting
 from server.database.connections import Connections
 from server.database.hints import before, moments
@@ -24,6 +25,9 @@ CARD = (
 )  # fmt: skip
 # What may hold an answer that was left open: what did not count may be all undecided, or our fault.
 DOUBTFUL = or_(~grades.c.counted, grades.c.grade["provisional"].as_boolean())
+MARKED = submissions.c.receipt.in_(select(marks.c.submission).where(marks.c.answer.is_not(None)))
+WHOLE = case((or_(DOUBTFUL, MARKED), grades.c.grade))
+LIGHT = select(*HANDED, WHOLE, grades.c.grade["score"].as_float(), grades.c.counted)
 
 NONE: Mapping[str, Any] = {}
 
@@ -51,7 +55,7 @@ class Marks:
     async def of(self, task_set: str, person: str | None = None) -> Sequence[Mark]:
         """List the marks in a set in the order given, of all students or one."""
         query = select(marks).join(submissions).join(deck, deck.c.variant == submissions.c.variant)
-        return [_mark(row) for row in await self._rows(_within(query, task_set, person).order_by(marks.c.id))]
+        return [_mark(row) for row in await self._rows(within(query, task_set, person).order_by(marks.c.id))]
 
     async def on(self, receipt: str) -> Sequence[Mark]:
         """List the marks on a submission in the order given."""
@@ -60,7 +64,7 @@ class Marks:
     async def weights(self, task_set: str, person: str | None = None) -> Mapping[str, Mapping[str, float]]:
         """Give the weights of the answers of those variants in a set of which some answer is marked."""
         marked = select(submissions.c.variant).join(marks).where(marks.c.answer.is_not(None))
-        here = _within(select(deck.c.variant), task_set, person).where(deck.c.variant.in_(marked))
+        here = within(select(deck.c.variant), task_set, person).where(deck.c.variant.in_(marked))
         asked = [row["variant"] for row in await self._rows(here)]
         known = {one: self._weights[one] for one in asked if one in self._weights}
         return {**known, **await self._read_weights([one for one in asked if one not in known])}
@@ -76,7 +80,7 @@ class Marks:
 
     async def dealt(self, task_set: str, person: str | None = None) -> Sequence[DealtCard]:
         """List the cards that were opened in a set, by slot and turn."""
-        query = _within(select(*CARD), task_set, person).where(deck.c.variant.is_not(None))
+        query = within(select(*CARD), task_set, person).where(deck.c.variant.is_not(None))
         ordered = query.order_by(slots.c.number, deck.c.turn)
         return await self._connections.read(
             lambda connection: [DealtCard(*row) for row in connection.execute(ordered).all()]
@@ -88,7 +92,7 @@ class Marks:
 
     async def handed(self, task_set: str, person: str | None = None) -> Sequence[Handed]:
         """List what was handed in to a set in the order received."""
-        query = _graded(select(submissions), task_set, person)
+        query = graded(select(submissions), task_set, person)
         return [Handed(**row) for row in await self._rows(query.order_by(submissions.c.time, submissions.c.receipt))]
 
     async def with_receipts(self, receipts: Sequence[str]) -> Mapping[str, Handed]:
@@ -98,7 +102,7 @@ class Marks:
 
     async def drafts(self, task_set: str, person: str) -> Sequence[Draft]:
         """List the drafts of a student in a set."""
-        query = _within(select(drafts).join(deck, deck.c.variant == drafts.c.variant), task_set, person)
+        query = within(select(drafts).join(deck, deck.c.variant == drafts.c.variant), task_set, person)
         return [Draft(**row) for row in await self._rows(query)]
 
     async def progress(self, task_set: str) -> Sequence[Progress]:
@@ -110,7 +114,7 @@ class Marks:
             func.count(submissions.c.receipt).label("submissions"),
             func.max(submissions.c.time).label("last"),
         ).outerjoin(submissions, submissions.c.variant == deck.c.variant)
-        opened = _within(query, task_set, None).where(deck.c.variant.is_not(None)).group_by(deck.c.person)
+        opened = within(query, task_set, None).where(deck.c.variant.is_not(None)).group_by(deck.c.person)
         return [Progress(**row) for row in await self._rows(opened)]
 
     async def _rows(self, query: Select[Any], values: Mapping[str, Any] | None = None) -> Sequence[Mapping[str, Any]]:
@@ -123,40 +127,18 @@ def _parts(names: Sequence[str]) -> list[Sequence[str]]:
     return [names[at : at + AT_ONCE] for at in range(0, len(names), AT_ONCE)]
 
 
-def _within(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
-    found = query.join(slots, slots.c.id == deck.c.slot).where(slots.c.task_set == task_set)
-    return found if person is None else found.where(deck.c.person == person)
-
-
 def _lines(connection: Connection, task_set: str, person: str | None) -> list[Line]:
     """Read the score of each submission, and the whole grade where some answer is marked or may be left open."""
-    marked = submissions.c.receipt.in_(select(marks.c.submission).where(marks.c.answer.is_not(None)))
-    whole_grade = case((or_(DOUBTFUL, marked), grades.c.grade))
-    light = select(
-        deck.c.slot, deck.c.person, submissions.c.variant, submissions.c.receipt, submissions.c.time,
-        whole_grade, grades.c.grade["score"].as_float(), grades.c.counted,
-    )  # fmt: skip
+    rows = connection.execute(graded(LIGHT, task_set, person)).all()
     opened = moments(connection, task_set)
-    rows = connection.execute(_graded(light, task_set, person)).all()
     scored = {row[6]: {"score": row[6], "verdicts": NONE} for row in rows}  # there are few different ones
     found = [
-        Line(
-            slot, who, variant, receipt, at, whole or scored[score], counted,
-            before(opened, variant, at) if opened else 0,
-        )
-        for slot, who, variant, receipt, at, whole, score, counted in rows
-    ]  # fmt: skip
+        Line(slot, who, card, receipt, at, whole or scored[score], counted, before(opened, card, at) if opened else 0)
+        for slot, who, card, receipt, at, whole, score, counted in rows
+    ]
     found.sort(key=attrgetter("receipt"))
     found.sort(key=attrgetter("time"))  # the database would sort whole rows, which takes longer
     return found
-
-
-def _graded(query: Select[Any], task_set: str, person: str | None) -> Select[Any]:
-    """Join submissions with their cards and their newest grades."""
-    given = grades.alias()
-    newest = select(func.max(given.c.id)).where(given.c.submission == submissions.c.receipt).scalar_subquery()
-    joined = query.select_from(submissions).join(deck, deck.c.variant == submissions.c.variant)
-    return _within(joined.join(grades, grades.c.id == newest), task_set, person)
 
 
 def _mark(row: Mapping[str, Any]) -> Mark:
