@@ -14,21 +14,19 @@ from server.answering.judging import JudgingThread
 from server.jobs import api, working
 from server.jobs import streams as streams_of
 from server.jobs.kinds import KINDS
-from server.settings import Settings
+from tests.conftest import Laid
 from tests.server.conftest import SECRET
 from tests.server.jobs.counting import COUNTING, TELLING, Here, order
 from tests.server.school import School, opened
-from tests.server.stores import lay
 
 KIND = "sheets"
 AGAIN = '<noscript><meta http-equiv="refresh" content="2"></noscript>'
 
 
 @pytest.fixture(scope="module")
-def school(tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
+def school(tmp_path_factory: pytest.TempPathFactory, laid_for_all: Laid) -> Iterator[School]:
     """A school whose server computes on its own thread."""
-    settings = Settings(tmp_path_factory.mktemp("jobs"), secret=SECRET, limited=False, workers=1)
-    lay(settings)
+    settings = laid_for_all(tmp_path_factory.mktemp("jobs"), secret=SECRET, limited=False, workers=1)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(JudgingThread, "apart", Here.apart)
         patch.setitem(KINDS, KIND, replace(COUNTING, name=KIND))
