@@ -31,6 +31,7 @@ from server.storage.sets import (
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
 
+MOST_SETS = 1000  # published ones whose slots are remembered
 SLOTS = select(slots).where(slots.c.task_set == bindparam("number")).order_by(slots.c.number)
 GIVEN, OPENED, AMONG = accommodations.c, cards.alias().c, slots.alias().c
 EXTRA = GIVEN.task_set == task_sets.c.id
@@ -55,6 +56,7 @@ class Sets:
 
     def __init__(self, connections: Connections) -> None:
         self._connections = connections
+        self._slots: dict[str, tuple[Slot, ...]] = {}  # of published sets, which do not change
 
     async def add(self, new: TaskSet, entry: Entry | None = None) -> None:
         """Store a new draft with its slots."""
@@ -116,7 +118,7 @@ class Sets:
 
     async def place(self, variant: str) -> Place | None:
         """Tell where a variant stands; None for practice."""
-        return await self._connections.read(lambda connection: _place(connection, variant))
+        return await self._connections.read(lambda connection: _place(connection, variant, self._slots))
 
     async def begun(self, number: str, person: str) -> datetime | None:
         """Tell when a student first opened a set."""
@@ -236,15 +238,23 @@ def _task_set(row: Mapping[Any, Any], its_slots: Iterable[Slot]) -> TaskSet:
     return TaskSet(**own | {"extended": tuple(map(tuple, own["extended"]))}, slots=tuple(its_slots))
 
 
-def _place(connection: Connection, variant: str) -> Place | None:
+def _place(connection: Connection, variant: str, known: dict[str, tuple[Slot, ...]]) -> Place | None:
     row = connection.execute(PLACE, {"variant": variant}).mappings().first()
     if row is None:
         return None
     card = Card(**{column.name: row[column] for column in cards.columns})
-    theirs = map(deck.slot_of, connection.execute(SLOTS, {"number": row[task_sets.c.id]}).mappings())
-    found = _task_set(row, theirs)
+    found = _task_set(row, known.get(row[task_sets.c.id]) or _slots(connection, row[task_sets.c.id], known))
     slot = next(slot for slot in found.slots if slot.id == card.slot)
     return Place(found, slot, card, row["extra"] or 0, row["begun"], row["most"] or 0, row["enrolled"])
+
+
+def _slots(connection: Connection, number: str, known: dict[str, tuple[Slot, ...]]) -> tuple[Slot, ...]:
+    """Read the slots of a set of which a card was opened, and remember them: it is published, so they stay."""
+    found = tuple(map(deck.slot_of, connection.execute(SLOTS, {"number": number}).mappings()))
+    if len(known) >= MOST_SETS:
+        known.clear()
+    known[number] = found
+    return found
 
 
 def _reserved(connection: Connection, exercise: str, now: datetime) -> bool:

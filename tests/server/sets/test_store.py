@@ -14,6 +14,7 @@ from sqlalchemy import Engine, event
 
 from server.database import Database
 from server.database import marks as marks_of
+from server.database import sets as sets_of
 from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
@@ -291,6 +292,25 @@ def test_the_weights_of_a_card_are_read_once(school: School, monkeypatch: pytest
         monkeypatch.setattr(marks_of, "MOST_WEIGHTS", 0)
         found = [asyncio.run(school.two.marks.weights(new.id)) for _ in range(2)]
         assert found == [{mine.variant: {"l3": 3.0}}] * 2
+
+
+def test_the_slots_of_a_published_set_are_read_once_and_its_deadlines_each_time(
+    school: School, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    new, asked = school.published(), []
+    mine = school.opened(new.slots[0], "anna").variant or ""
+    with listening(lambda *told: asked.append(told[2])):
+        first = asyncio.run(school.one.sets.place(mine))
+        assert first is not None and first.task_set.slots == new.slots
+        asyncio.run(school.two.sets.move([(first.task_set, replace(first.task_set, due=NOW))]))
+        again = asyncio.run(school.one.sets.place(mine))
+        assert again is not None and (again.task_set.slots, again.task_set.due) == (new.slots, NOW)
+        assert sum(one.startswith("SELECT slots.id") for one in asked) == 1
+        monkeypatch.setattr(sets_of, "MOST_SETS", 0)
+        other = school.opened(school.published().slots[1], "bob").variant or ""
+        for variant in (other, mine):
+            found = asyncio.run(school.one.sets.place(variant))
+            assert found is not None and found.slot in found.task_set.slots
 
 
 @contextmanager
