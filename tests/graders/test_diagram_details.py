@@ -103,5 +103,34 @@ def test_a_place_is_told_in_the_printed_unit() -> None:
     assert details.found[0] == Remark(Slip.GAP, 1500.0, 4000.0, unit="mm")
 
 
+STRETCHES = (FIRST, "1,5..3: -1,5 - 2*(x - 1,5)", "3..4: -4,5 - 2*(x - 3)")
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("; ".join(STRETCHES[:2]), Remark(Slip.GAP, 3.0, 4.0)),
+        ("; ".join(STRETCHES[1:]), Remark(Slip.GAP, 0.0, 1.5)),
+        ("; ".join(STRETCHES[::2]), Remark(Slip.GAP, 1.5, 3.0)),
+        ("; ".join((*STRETCHES, "3,5..4: 1")), Remark(Slip.OVERLAP, 3.5, 4.0)),
+        ("; ".join((*STRETCHES[:2], "3..5: -4,5 - 2*(x - 3)")), Remark(Slip.BEYOND, 4.0, 5.0)),
+        ("; ".join(("-1..0: 3", *STRETCHES)), Remark(Slip.BEYOND, -1.0, 0.0)),
+        (f"{FIRST}; 1,5..4: 4,5 - 2*(x - 1,5)", Remark(Slip.LOST_JUMP, 1.5)),
+        (f"{FIRST}; 1,5..4: 10,5 - 2*(x - 1,5)", Remark(Slip.OPPOSITE_JUMP, 1.5)),
+        (f"{FIRST}; 1,5..4: -2,5 - 2*(x - 1,5)", Remark(Slip.JUMP, 1.5)),
+        ("; ".join((*STRETCHES[:2], "3..4: -6 - 2*(x - 3)")), Remark(Slip.EXTRA_JUMP, 3.0)),
+        (f"{FIRST}; 1,5..4: -1,5 - (x - 1,5)", Remark(Slip.SLOPE, 1.5, 4.0)),
+        (f"{FIRST}; 1,5..4: -1,5 + 2*(x - 1,5)", Remark(Slip.OPPOSITE_SLOPE, 1.5, 4.0)),
+        (f"{FIRST}; 1,5..4: -1,5", Remark(Slip.DEGREE, 1.5, 4.0)),
+        (f"{FIRST}; 1,5..4: -1,5 - 2*(x - 1,5) - (x - 1,5)^2", Remark(Slip.BENT, 1.5, 4.0)),
+    ],
+)
+def test_what_is_off_is_told_with_its_place(text: str, found: Remark) -> None:
+    details = judged(text).details
+    assert isinstance(details, Remarks)
+    told = {remark.slip: remark for remark in details.found}
+    assert told[found.slip] == Remark(found.slip, found.place, found.until, unit="m")
+
+
 def test_the_field_says_what_is_drawn() -> None:
     assert MILLIMETRES.describe() == {"unit": "kN", "x_unit": "mm", "quantity": "V", "largest": 0.01}
