@@ -201,6 +201,18 @@ def test_one_equation_of_two_has_half_the_credit() -> None:
     assert flaws(SV.splitlines()[0], 1) == [("no_projection", "", "y")]
 
 
+def test_the_score_is_the_share_of_equations_that_are_true() -> None:
+    two = """x1: -l1*omega1*sin(alpha1) - l2*omega2*sin(alpha2) + l3*omega3*sin(alpha3) = 0
+y1: l1*omega1*cos(alpha1) + l2*omega2*cos(alpha2) - l3*omega3*cos(alpha3) = 0
+x2: -l3*omega3*sin(alpha3) - l5*omega5*sin(alpha5) - v6 = 0
+y2: l3*omega3*cos(alpha3) + l5*omega5*cos(alpha5) = 0"""
+    assert judged(two.replace("- v6", "+ v6"), 1, TWO_LOOPS).score == 0.75
+    assert judged("\n".join(two.splitlines()[:3]), 1, TWO_LOOPS).score == 0.75
+    assert judged("\n".join(two.splitlines()[:2]), 1, TWO_LOOPS).score == 0.5
+    assert judged(f"{SV}\ny: omega2 = v3", 1).score == 0.666667
+    assert judged(SV, 2).score == 0.5
+
+
 def test_a_constant_with_eight_figures_is_left_to_the_lecturer() -> None:
     assert judged(SV.replace("- v3 = 0", "- v3 = l1*omega1*sin(3.1415926)"), 1).code is Code.UNDECIDED
 
