@@ -132,5 +132,24 @@ def test_what_is_off_is_told_with_its_place(text: str, found: Remark) -> None:
     assert told[found.slip] == Remark(found.slip, found.place, found.until, unit="m")
 
 
+def test_every_mark_tells_of_a_stretch_that_is_not_drawn() -> None:
+    details = judged(FIRST).details
+    assert isinstance(details, Remarks)
+    gap = [Remark(slip, 1.5, 4.0, unit="m") for slip in (Slip.GAP, Slip.SLOPE, Slip.DEGREE, Slip.GAP)]
+    assert [remark for remark in details.found if remark.until == 4.0] == gap
+    first = judged("; ".join(STRETCHES[::2])).details
+    assert isinstance(first, Remarks) and first.found[0] == Remark(Slip.GAP, 1.5, 3.0, unit="m")
+
+
+def test_a_slope_that_is_right_at_one_end_alone_is_off() -> None:
+    bent: Rows = ((0.0, 2.0, 0.0, 4000.0, -1000.0),)
+    details = judged("2,5*x - 0,25*x^2", SHEAR, bent).details
+    assert isinstance(details, Remarks)
+    assert Remark(Slip.SLOPE, 0.0, 2.0, unit="m") in details.found
+    turned = judged("4*x - 2*x^2", SHEAR, bent).details
+    assert isinstance(turned, Remarks)
+    assert Remark(Slip.SLOPE, 0.0, 2.0, unit="m") in turned.found
+
+
 def test_the_field_says_what_is_drawn() -> None:
     assert MILLIMETRES.describe() == {"unit": "kN", "x_unit": "mm", "quantity": "V", "largest": 0.01}
