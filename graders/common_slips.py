@@ -44,6 +44,7 @@ BY_CODE = {
     Code.FACTOR_OF_TEN: CommonSlip.POWER_OF_TEN,
     Code.INVERTED_RATIO: CommonSlip.INVERTED_RATIO,
 }
+ANGLE: Dimension = (0, 0, 0, 1, 0)
 KILO, TEN = (3, 6, 9, 12), tuple(range(1, 13))
 
 
@@ -98,6 +99,13 @@ def _factors(dimension: Dimension) -> tuple[tuple[CommonSlip, float], ...]:
     return tuple(_listed(dimension))
 
 
+def _of_diameters(dimension: Dimension) -> tuple[float, ...]:
+    """Give what a diameter in the place of a radius changes: areas, moduli, stresses; of angles that of a twist."""
+    if dimension[0]:
+        return 4.0, 8.0, 16.0
+    return (16.0,) if tuple(dimension) == ANGLE else ()
+
+
 def _listed(dimension: Dimension) -> Iterator[tuple[CommonSlip, float]]:
     yield CommonSlip.OPPOSITE_SIGN, -1.0
     for sign in (1, -1):
@@ -109,5 +117,4 @@ def _listed(dimension: Dimension) -> Iterator[tuple[CommonSlip, float]]:
         if dimension[3] and dimension[2] == -1:
             yield from ((CommonSlip.TURNS_RADIANS, factor**sign) for factor in (2 * pi, 60.0, 30 / pi))
         yield CommonSlip.PI_LOST, pi**sign
-        if dimension[0]:
-            yield from ((CommonSlip.DIAMETER_RADIUS, factor**sign) for factor in (4.0, 8.0, 16.0))
+        yield from ((CommonSlip.DIAMETER_RADIUS, factor**sign) for factor in _of_diameters(dimension))

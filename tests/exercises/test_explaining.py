@@ -169,9 +169,13 @@ def test_a_root_drawn_from_each_term_of_a_sum_is_a_slip_in_the_root() -> None:
     }
 
 
-@pytest.mark.parametrize("unit", ["deg", "s", "rad/s"])
-def test_what_has_no_length_in_its_unit_is_not_put_down_to_a_radius(unit: str) -> None:
-    assert CommonSlip.DIAMETER_RADIUS not in off_by(4.0, 1e-4, read_unit(unit).dimension)
+@pytest.mark.parametrize(("unit", "factor"), [("deg", 4.0), ("s", 4.0), ("s", 16.0), ("rad/s", 16.0)])
+def test_what_has_no_length_in_its_unit_is_not_put_down_to_a_radius(unit: str, factor: float) -> None:
+    assert CommonSlip.DIAMETER_RADIUS not in off_by(factor, 1e-4, read_unit(unit).dimension)
+
+
+def test_a_twist_may_be_put_down_to_a_radius_in_the_polar_second_moment() -> None:
+    assert CommonSlip.DIAMETER_RADIUS in off_by(16.0, 1e-4, read_unit("deg").dimension)
 
 
 def test_a_quotient_of_numbers_alone_is_not_turned_over() -> None:
