@@ -273,8 +273,9 @@ def _refuse_relation(tokens: list[Token], text: str) -> None:
     if at is None:
         return
     mark = tokens[at]
-    value = text[tokens[at + 1].position :] if at < 2 else text[: mark.position]
-    raise AnswerSyntaxError(Reason.NOT_A_NUMBER, mark.position, mark.text, value.strip(" =")[:20])
+    value = (text[tokens[at + 1].position :] if at < 2 else text[: mark.position]).strip(" =")
+    proposed = value[:20] if value.lstrip("+-−")[:1].isdecimal() else ""  # never a piece of a formula
+    raise AnswerSyntaxError(Reason.NOT_A_NUMBER, mark.position, mark.text, proposed)
 
 
 def _behind_equals(tokens: list[Token]) -> int:

@@ -63,7 +63,13 @@ def test_brackets_around_an_amount_and_a_semicolon_behind_it_say_nothing(text: s
 
 @pytest.mark.parametrize(
     ("text", "place", "meant"),
-    [("d ≥ 68,6 mm", 2, "68,6 mm"), ("> 68.6", 0, "68.6"), ("68,6 mm <= d", 8, "68,6 mm"), ("d_min>=5 cm", 5, "5 cm")],
+    [
+        ("d ≥ 68,6 mm", 2, "68,6 mm"),
+        ("> 68.6", 0, "68.6"),
+        ("68,6 mm <= d", 8, "68,6 mm"),
+        ("d_min>=5 cm", 5, "5 cm"),
+        ("R_A*x - q*<x - a>^2", 10, ""),
+    ],
 )
 def test_a_bound_is_asked_for_its_value(text: str, place: int, meant: str) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
