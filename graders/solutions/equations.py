@@ -112,16 +112,23 @@ class Pair:
     def __init__(self, scene: Scene, trees: Sequence[Tree], unknown: int) -> None:
         self.scene, self.trees, self.unknown = scene, trees, unknown
         self.name = scene.names[unknown]
-        numerators = [cleared(tree, self.name) for tree in trees]
-        parts = [factors(tree) for tree in numerators]
-        several = any(len(part) > 1 for part in parts) or numerators != list(trees)
-        self.fractions = [numerator is not tree for numerator, tree in zip(numerators, trees, strict=True)]
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
-        self.both = Residuals(scene, [[tree] for tree in trees] + (parts if several else []), Effort())
+        self.both = Residuals(scene, [[tree] for tree in trees], Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
-        self.factors = [
-            [Factor(Side(self.both, 2 + which if several else which, (k,)), tree) for k, tree in enumerate(part)]
-            for which, part in enumerate(parts)
+
+    @cached_property
+    def numerators(self) -> list[Tree]:
+        """Give the sides without the denominators that hold the unknown."""
+        return [cleared(tree, self.name) for tree in self.trees]
+
+    @cached_property
+    def factors(self) -> list[list[Factor]]:
+        """Give the factors of the numerators."""
+        parts = [factors(tree) for tree in self.numerators]
+        whole = all(part == [tree] for part, tree in zip(parts, self.trees, strict=True))
+        pair = self.both if whole else Residuals(self.scene, parts, self.both.effort)
+        return [
+            [Factor(Side(pair, which, (k,)), tree) for k, tree in enumerate(part)] for which, part in enumerate(parts)
         ]
 
     def known(self, found: Found) -> Found:
@@ -204,7 +211,8 @@ class Pair:
 
     def _holds(self, which: int, zero: Zero) -> bool:
         """Tell whether a zero of a numerator is one of the side: it may be a pole."""
-        return not self.fractions[which] or beside(self.sides[which], zero) is Beside.ZERO
+        fraction = self.numerators[which] is not self.trees[which]
+        return not fraction or beside(self.sides[which], zero) is Beside.ZERO
 
     def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
         points = self.scene.points
@@ -271,7 +279,8 @@ class Pair:
     def _single(self, factor: Factor) -> bool:
         """Tell whether a factor only rises or only falls along the unknown."""
         if factor.single is None:
-            program = self.both.program.only(self.both.program.outputs[factor.side.places[0]])
+            program = factor.side.pair.program
+            program = program.only(program.outputs[factor.side.places[0]])
             self.both.effort.spend(PROVING * len(program.operations))
             ranges = Runner(program, INTERVALS).slots(self.scene.ranges)
             factor.single = trends(program, ranges, self.unknown)[program.outputs[0]] in (1, -1)
@@ -300,7 +309,7 @@ class Pair:
             return extreme(self.scene)
         bases, (low, high) = list(extreme(self.scene)), self.scene.ranges[self.unknown]
         points = [tuple(moved(base, self.unknown, x)) for base in bases for x in (low, (low + high) / 2, high)]
-        values = iter(self.both.many((factor.side.which, factor.side.only[0]), points))
+        values = iter(factor.side.pair.many((factor.side.which, factor.side.only[0]), points))
         told: dict[tuple[bool, ...], list[Sequence[float]]] = {}
         for base, three in zip(bases, zip(values, values, values, strict=True), strict=True):
             told.setdefault(inside(*three), []).append(base)
