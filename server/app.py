@@ -8,7 +8,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 from datetime import UTC, datetime, timedelta
 from importlib.metadata import version
-from typing import Any
+from typing import Any, ClassVar
 
 from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import Mount
@@ -99,6 +99,18 @@ async def openapi(request: Request) -> dict[str, Any]:
     return found
 
 
+class Laboratory(FastAPI):
+    """The application. The description of its interface is the same for all of a process and written once."""
+
+    described: ClassVar[dict[str, Any]] = {}
+
+    def openapi(self) -> dict[str, Any]:
+        """Describe the interface."""
+        if not self.described:
+            self.described.update(super().openapi())
+        return self.described
+
+
 def create_app(settings: Settings, *, judging: Judging | None = None, passwords: Passwords | None = None) -> FastAPI:
     """Make the application.
 
@@ -112,7 +124,7 @@ def create_app(settings: Settings, *, judging: Judging | None = None, passwords:
         IncompleteExercise: An exercise folder is not complete.
     """
     catalogue.check()
-    app = FastAPI(
+    app = Laboratory(
         title="Grübler", version=version("grubler"), lifespan=_lifespan, redirect_slashes=False,
         docs_url=None, redoc_url=None, openapi_url=None,
     )  # fmt: skip

@@ -19,8 +19,9 @@ from server.storage import Owner
 from server.storage.courses import Course
 from server.storage.people import Person, Session
 from server.web import ids, language
-from server.web.errors import Refused
+from server.web.errors import Refused, printable
 from server.web.limits import ADDRESS, DOCUMENTS, DOCUMENTS_OF_ADDRESS, NEWCOMERS, OWNER
+from server.web.typed import repeated_name
 
 COOKIE = "grubler_practice"
 COOKIE_FORM = re.compile(r"[A-Za-z0-9_-]{43}")
@@ -71,7 +72,7 @@ async def admit(request: Request, bench: Tools) -> Reader:
 
     Raises:
         Refused: 401 for a bad or missing token, 403 for a role that does not suffice or a foreign page, 404 for a
-            course of others, 429 for too many posts.
+            course of others, 422 for a name that stands twice in a JSON body, 429 for too many posts.
     """
     needed = POLICIES.get((request.method, request.scope["route"].path))
     if needed is None:
@@ -83,8 +84,16 @@ async def admit(request: Request, bench: Tools) -> Reader:
         _take_turn(request, bench, reader.owner)
     if isinstance(needed, InCourse):
         reader = await in_course(bench, reader, needed, request.path_params[needed.by])
+    if getattr(request.scope["route"], "body_field", None) is not None:
+        _no_name_twice(await request.body())
     request.state.reader = reader
     return reader
+
+
+def _no_name_twice(body: bytes) -> None:
+    twice = repeated_name(body)
+    if twice is not None:
+        raise Refused(422, "repeated_name", field=printable(twice), name=printable(twice))
 
 
 async def in_course(bench: Bench, reader: Reader, needed: InCourse, number: str) -> Reader:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import AfterValidator, StrictStr
@@ -27,7 +28,11 @@ Typed: TypeAlias = Annotated[StrictStr, AfterValidator(_whole)]
 
 
 def repeated_name(raw: bytes) -> str | None:
-    """Find a name that stands twice in one object of a JSON text, of which readers keep only the last; else None."""
+    """Find a name that stands twice in one object of a JSON text, of which readers keep only the last.
+
+    Returns:
+        The name; None where there is none, or the text is no JSON.
+    """
     repeated: list[str] = []
 
     def note(pairs: list[tuple[str, Any]]) -> None:
@@ -35,5 +40,6 @@ def repeated_name(raw: bytes) -> str | None:
         if len(set(names)) < len(names):
             repeated.append(next(name for name in names if names.count(name) > 1))
 
-    json.loads(raw, object_pairs_hook=note)
+    with suppress(ValueError, RecursionError):
+        json.loads(raw, object_pairs_hook=note)
     return sendable(repeated[0]) if repeated else None

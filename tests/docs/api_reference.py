@@ -17,7 +17,8 @@ PAGE = ROOT / "docs" / "reference" / "api.md"
 HEAD = """# The interface for programs
 
 This page is written from the interface's own description (`GET /api/v1/openapi.json`) by
-`uv run python -m tests.docs.api_reference`; a test compares the two. Bodies are JSON. Everything that can be read is
+`uv run python -m tests.docs.api_reference`; a test compares the two. Bodies are JSON,
+and no name may stand twice in one object (`repeated_name`). Everything that can be read is
 answered in the language of `?lang=pl|en|ru`, else of `Accept-Language`. A program shows its bearer token
 (`grubler token --role lecturer`) in `Authorization: Bearer …`; practice needs none: the cookie of the first response
 owns the variants dealt to it.

@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
+from fastapi.routing import APIRoute
 from starlette.testclient import TestClient
+
+from server.policy import POLICIES, InCourse
+from tests.server.school import School
 
 
 @pytest.mark.parametrize("header", ["x-http-method-override", "x-method-override", "x-http-method"])
@@ -45,3 +51,21 @@ def test_a_body_larger_than_the_bound_is_cut_off(client: TestClient) -> None:
     path = f"/api/v1/variants/{client.headers['x-variant']}/submissions"
     reply = client.post(path, content=b'{"answers": {"l3": "' + b"1" * 70_000 + b'"}}')
     assert reply.status_code == 413 and reply.headers["connection"] == "close"
+
+
+def test_a_name_that_stands_twice_is_refused_by_every_route_that_reads_json(school: School) -> None:
+    browser, headers = school.browser("administrator"), {"content-type": "application/json"}
+    for (method, route), policy in POLICIES.items():
+        if (method, route) not in reads_json(school):
+            continue
+        path = re.sub(r"\{(\w+)\}", lambda found: school.course if found[1] == "course" else "AAAA-AAAA-AAAA", route)
+        reply = browser.request(method, path, content='{"a": {"b": 1, "b": 2}}', headers=headers)
+        reached = not isinstance(policy, InCourse) or policy.by == "course"
+        code = "repeated_name" if reached else "unknown_course"
+        assert (reply.json()["error"]["code"], reply.json()["error"]["field"]) == (code, "b" if reached else None), path
+
+
+def reads_json(school: School) -> set[tuple[str, str]]:
+    """Every method and path whose body is read as JSON into a shape."""
+    routes = [route for route in school.app.routes if isinstance(route, APIRoute) and route.body_field is not None]
+    return {(method, route.path) for route in routes for method in route.methods}
