@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import undollared
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.tokens import LETTER
@@ -22,6 +23,14 @@ TIE = re.compile(r"(?<=\d)~(?=[^\W\d])")  # 12~kN
 LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(?=\s{{0,9}}[-+−–.\d(\\√])")
 
 
+DIRECTION = re.compile(
+    r"(?<=[\s(,\d])(?:w (?:górę|dół|prawo|lewo)|(?:ku|do) (?:górze|dołowi|góry|dołu)|na dół"
+    r"|(?:to the )?(?:left|right)|upwards?|downwards?|up|down|(?:counter|anti)?clockwise"
+    r"|вверх|вниз|вправо|влево|[↑↓→←↺↻])(?=[\s).;]{0,9}$)",
+    re.IGNORECASE,
+)  # behind an amount
+
+
 def without_asides(text: str) -> str:
     """Blank out what says nothing of the number: `ok. 12 kN`, `R_A: 12 kN`, `(12 kN)`, `12 kN.`; places stay."""
     text = TIE.sub(" ", LABEL.sub(r"\1=", undollared(text)))
@@ -31,6 +40,13 @@ def without_asides(text: str) -> str:
         found = found.removesuffix(mark).rstrip()
     found = _unfenced(found.ljust(len(text)))
     return found if found.strip() else text
+
+
+def refuse_direction(text: str) -> None:
+    """Ask for the sign where a direction stands behind an amount, `12 kN up`; raises AnswerSyntaxError."""
+    found = DIRECTION.search(text) if any(char.isdigit() for char in text[:-1]) else None
+    if found:
+        raise AnswerSyntaxError(Reason.DIRECTION, found.start(), found.group())
 
 
 def without_label(text: str, symbols: Symbols) -> str:

@@ -10,7 +10,7 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from graders.angles import is_angle, without_last_degree
-from graders.asides import NAMED, without_asides
+from graders.asides import NAMED, refuse_direction, without_asides
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
@@ -22,7 +22,7 @@ from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
 from graders.language.tokens import MAX_LENGTH, SAME, Token, tokenize
-from graders.language.tree import Number, Tree, Unary
+from graders.language.tree import Number, Tree, Unary, walk
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
@@ -73,10 +73,38 @@ class Quantity:
     symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> Amount:
-        """Read `12,5 MPa`, `3/8`, `-12°22'`, `1.25e7 N/m^2`; raises AnswerSyntaxError with the place."""
+        """Read `12,5 MPa`, `3/8`, `-12°22'`, `0,5 m = 500 mm`; raises AnswerSyntaxError with the place."""
         plain = _plain_amount(text)
         if plain is not None:
             return self._amount(*plain)
+        refuse_direction(text)
+        try:
+            return self._read(text, symbols)
+        except AnswerSyntaxError:
+            amount = self._told_twice(text, symbols)
+            if amount is None:
+                raise
+            return amount
+
+    def _told_twice(self, text: str, symbols: Symbols) -> Amount | None:
+        """Read one value in two units, to the more figures; None where the sides are no amounts with units."""
+        sides = text.split("=")
+        if len(sides) != 2 or len(text) > LONGEST:
+            return None
+        try:
+            amounts = [self.parse(side, symbols) for side in sides]
+        except AnswerSyntaxError:
+            return None
+        units = [amount.unit for amount in amounts if amount.unit]
+        if len(units) != 2:
+            return None
+        agree = fits(units[0], units[1]) or fits(units[1], units[0])
+        if not agree or abs(amounts[0].value - amounts[1].value) > sum(map(_rounding, amounts)) * (1 + SLACK):
+            told = " ≠ ".join(side.strip()[:20] for side in sides)
+            raise AnswerSyntaxError(Reason.TWO_VALUES, text.index("="), told)
+        return min(amounts, key=_rounding)
+
+    def _read(self, text: str, symbols: Symbols) -> Amount:
         text = without_asides(text)
         if is_latex(text):
             amount = through(text, lambda plain: self.parse(plain, symbols))
@@ -199,6 +227,15 @@ class Quantity:
     def describe(self) -> Mapping[str, Any]:
         """Give unit and tolerance of the field."""
         return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
+
+
+def _rounding(amount: Amount) -> float:
+    """Give half of the last figure of a number as typed, in SI units; of a computed one what rounding may add."""
+    numbers = [node for node in walk(amount.tree) if isinstance(node, Number)]
+    if len(numbers) != 1 or not amount.value:
+        return ROUNDED * abs(amount.value)
+    half = 0.5 * 10.0 ** (numbers[0].exponent - len(numbers[0].digits.partition(".")[2]))
+    return half * abs(amount.value / float(numbers[0].exact))
 
 
 def _bounded(number: float, value: float) -> float:

@@ -18,6 +18,8 @@ class Reason(StrEnum):
     UNKNOWN_NAME = "unknown_name"
     FORBIDDEN_NAME = "forbidden_name"
     UNKNOWN_UNIT = "unknown_unit"
+    DIRECTION = "direction"
+    TWO_VALUES = "two_values"
     NEEDS_OPERAND = "needs_operand"
     NEEDS_BRACKET = "needs_bracket"
     NEEDS_OPERATOR = "needs_operator"

@@ -27,7 +27,17 @@ EXAMPLES = (
     r"\dot{\varphi}_{1}\,\sin^{2}\left(\alpha_{1}\right)",
     "y'", r"1{,}5\times10^{-3}",
 )  # fmt: skip
-AMOUNTS = ("12,5", "12,5 MPa", "12 500 N", "25/2", "1.25e4 N", "1,25 x 10^4 N", "R_A = 12,5 [kN]", "12,5 кН")
+AMOUNTS = (
+    "12,5",
+    "12,5 MPa",
+    "12 500 N",
+    "25/2",
+    "1.25e4 N",
+    "1,25 x 10^4 N",
+    "R_A = 12,5 [kN]",
+    "12,5 кН",
+    "12,5 kN = 12 500 N",
+)
 HEAD = """# The answer language
 
 This page is written from the code by `uv run python -m tests.docs.language_reference`; a test compares the two.
@@ -70,6 +80,9 @@ raised   = [ "⁻" ] ( "⁰" … "⁹" ) { "⁰" … "⁹" } ;
 - `a/2b` is asked about; `1/2 a` is half of a. `sin^-1 x` is asked about. `2 1/2` is asked about: a sum or a product?
 - A Macaulay bracket `<u>^n` is 0 before u = 0 and u^n behind; n is a whole number from 0, and -1 and -2 stand for a
   force and a moment at a point. Behind a factor `F<x-a>^1` is a product, and so is `F<x-a>` in a sum.
+- One amount in two units, `-0,01364 rad = -0,78°`, is read where the two agree to the figures typed, and the finer one
+  is judged; where they do not, both are named. A direction behind an amount, `12 kN up`, is no part of it: the sign
+  tells it, and the message says so.
 - `E`, `I`, `N`, `e`, `lambda`, `beta` are ordinary names where a task declares them.
 """
 

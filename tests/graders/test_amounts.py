@@ -121,3 +121,63 @@ def test_a_symbol_for_a_number_is_asked_for_its_value(text: str) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         Quantity("N*m").parse(text, NOTHING)
     assert refused.value.reason is Reason.NOT_A_NUMBER
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "w górę",
+        "w dół.",
+        "do góry",
+        "w prawo",
+        "up",
+        "downwards",
+        "(down)",
+        "to the left",
+        "вверх",
+        "ВНИЗ",
+        "↑",
+        "clockwise",
+    ],
+)
+def test_a_direction_is_asked_for_as_a_sign(words: str) -> None:
+    for amount in ("12 MPa ", "sigma = 12 ", "-12,5 "):
+        with pytest.raises(AnswerSyntaxError) as told:
+            STRESS.parse(amount + words, NOTHING)
+        assert told.value.reason is Reason.DIRECTION and told.value.position == len(amount) + words.startswith("(")
+        assert told.value.proposal.found == words.strip("().")
+
+
+ANGLE, LENGTH = Quantity("deg"), Quantity("mm")
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "value"),
+    [
+        (ANGLE, "-0,01364 rad = -0,78°", -0.01364),
+        (ANGLE, "-0,78° = -0,01364 rad", -0.01364),
+        (LENGTH, "0,5 m = 502 mm", 0.502),
+        (LENGTH, "l = 0,502 m", 0.502),
+        (STRESS, "12 MPa=12,0 N/mm^2", 12e6),
+        (LENGTH, "(1/4) m = 250 mm", 0.25),
+        (LENGTH, "0 m = 0 mm", 0.0),
+    ],
+)
+def test_one_value_in_two_units_is_read_to_the_more_figures(field: Quantity, text: str, value: float) -> None:
+    assert field.parse(text, NOTHING).value == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "told"),
+    [
+        (ANGLE, "-0,01364 rad = 0,78°", "-0,01364 rad ≠ 0,78°"),
+        (ANGLE, "-0,01364 rad = -0,80°", "-0,01364 rad ≠ -0,80°"),
+        (LENGTH, "0,50 m = 510 mm", "0,50 m ≠ 510 mm"),
+        (STRESS, "12 Pa = 12 N", "12 Pa ≠ 12 N"),
+    ],
+)
+def test_two_values_that_differ_are_both_named(field: Quantity, text: str, told: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        field.parse(text, NOTHING)
+    assert (refused.value.reason, refused.value.proposal.found) == (Reason.TWO_VALUES, told)
+    assert refused.value.position == text.index("=")
