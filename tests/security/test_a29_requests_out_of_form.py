@@ -68,4 +68,4 @@ def test_a_name_that_stands_twice_is_refused_by_every_route_that_reads_json(scho
 def reads_json(school: School) -> set[tuple[str, str]]:
     """Every method and path whose body is read as JSON into a shape."""
     routes = [route for route in school.app.routes if isinstance(route, APIRoute) and route.body_field is not None]
-    return {(method, route.path) for route in routes for method in route.methods}
+    return {(method, route.path) for route in routes for method in route.methods or ()}
