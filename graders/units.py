@@ -154,12 +154,12 @@ class _UnitReader:
                 self.step()
                 if stop and (self.kind == "end" or self.piece == "/"):  # a full stop after an abbreviation
                     continue
-            unit = _times(unit, self.power(), -1 if divide else 1)
+            unit = times(unit, self.power(), -1 if divide else 1)
         return unit
 
     def power(self) -> Unit:
         rest, unit = self.atom()
-        return _times(rest, unit, self.raised_to())
+        return times(rest, unit, self.raised_to())
 
     def raised_to(self) -> int:
         if self.piece in ("^", "**") and self.kind == "mark":
@@ -226,7 +226,8 @@ def _named(piece: str) -> tuple[Unit, Unit] | None:
     return (NONE, unit) if unit else COMPOUNDS.get(piece)
 
 
-def _times(one: Unit, other: Unit, power: int) -> Unit:
+def times(one: Unit, other: Unit, power: int) -> Unit:
+    """Multiply a unit by a power of another."""
     a, b = one.dimension, other.dimension
     dimension = (
         a[0] + power * b[0],

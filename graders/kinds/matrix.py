@@ -21,8 +21,9 @@ from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols
 from graders.language.text import text_of
-from graders.language.tree import Grid, Relation, Tree, names
-from graders.units import Unit, read_unit
+from graders.language.tree import Grid, Number, Relation, Tree, names, walk
+from graders.measured import measured, units_in
+from graders.units import Unit, fits, read_unit
 from graders.verdict import RIGHT, Code, Entries, Verdict, wrong
 
 GREATEST = 1e99
@@ -64,8 +65,14 @@ class Matrix:
     symbolic: ClassVar[bool] = False
 
     def parse(self, text: str, symbols: Symbols) -> Typed:
-        """Read `[[1; 0], [0; 1]]`, `[1, 0; 0, 1]` or bare rows; entries may be constants such as `cos(30°)`."""
-        tree = read_grid(text, symbols)
+        """Read `[[1; 0], [0; 1]]`, `[1, 0; 0, 1]` or bare rows; entries are constants such as `cos(30°)`, `1.5 m`."""
+        try:
+            tree = read_grid(text, symbols)
+        except AnswerSyntaxError:
+            units = units_in(text)
+            if not units:
+                raise
+            tree = read_grid(text, Symbols(units.values()))
         return Typed(tree, tuple(tuple(self._value(at, e, text) for at, e in enumerate(row)) for row in tree.rows))
 
     def _unit(self, column: int) -> Unit:
@@ -73,6 +80,8 @@ class Matrix:
 
     def _value(self, column: int, entry: Tree, text: str) -> float:
         unit = self._unit(column)
+        if names(entry):
+            return _measured(entry, unit, text)
         own = unit.dimension == ANGLE and is_angle(entry)
         return _number(entry, text) * (1.0 if own else unit.factor)
 
@@ -232,6 +241,20 @@ def _scale(rows: Rows) -> float:
 
 def _decimal(entry: float) -> str:
     return f"{entry:.8f}".rstrip("0").rstrip(".") if abs(entry) >= 5e-9 else "0"
+
+
+def _measured(entry: Tree, asked: Unit, text: str) -> float:
+    """Give the value in SI units of an entry that says its unit."""
+    place = max(0, text.find(min(names(entry))))
+    try:
+        found = measured(entry) if any(isinstance(node, Number) for node in walk(entry)) else None
+    except (ArithmeticError, ValueError):
+        found = None
+    if found is None or not abs(found[0] * found[1].factor) <= GREATEST:
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, place, text_of(entry)[:20])
+    if not fits(found[1], asked):
+        raise AnswerSyntaxError(Reason.OTHER_UNIT, place, text_of(entry)[:20])
+    return found[0] * found[1].factor
 
 
 def _number(entry: Tree, text: str) -> float:

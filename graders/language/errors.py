@@ -18,6 +18,7 @@ class Reason(StrEnum):
     UNKNOWN_NAME = "unknown_name"
     FORBIDDEN_NAME = "forbidden_name"
     UNKNOWN_UNIT = "unknown_unit"
+    OTHER_UNIT = "other_unit"
     DIRECTION = "direction"
     TWO_VALUES = "two_values"
     NEEDS_OPERAND = "needs_operand"

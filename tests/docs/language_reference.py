@@ -83,6 +83,8 @@ raised   = [ "⁻" ] ( "⁰" … "⁹" ) { "⁰" … "⁹" } ;
 - One amount in two units, `-0,01364 rad = -0,78°`, is read where the two agree to the figures typed, and the finer one
   is judged; where they do not, both are named. A direction behind an amount, `12 kN up`, is no part of it: the sign
   tells it, and the message says so.
+- An entry of a matrix of numbers may carry a unit, `[[30°; 150 cm]]`, where it measures what its column measures in
+  the field; elsewhere the message asks for the number alone.
 - `E`, `I`, `N`, `e`, `lambda`, `beta` are ordinary names where a task declares them.
 """
 

@@ -130,3 +130,39 @@ def test_a_matrix_beside_a_number_is_no_quantity(text: str) -> None:
 def test_a_number_that_is_asked_for_an_entry_is_unreadable() -> None:
     with pytest.raises(AnswerSyntaxError):
         Matrix(2, 1).parse("[pi[1; 2]; 2]", Symbols(()))
+
+
+MEASURED = Matrix(1, 3, units=("deg", "mm", "kN*m"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["[30°, 1500 mm, 12 kN*m]", "[30, 1.5 m, 12 kN·m]", "[[30 deg; 150 cm; 12000 N*m]]", "[[30; 1500; 12]]",
+     "[[0,5235987755982988 rad; 3/2 m; 12 kNm]]", "[[30; 1,5 м; 12 кН·м]]", "[[30; 1500; -(-12) kN*m^2/m]]"],
+)  # fmt: skip
+def test_an_entry_may_say_its_unit(text: str) -> None:
+    assert MEASURED.parse(text, Symbols(())).rows[0] == pytest.approx((pi / 6, 1.5, 12e3))
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("[[30; 1,5 kN; 12]]", Reason.OTHER_UNIT),
+        ("[[30 m; 1500; 12]]", Reason.OTHER_UNIT),
+        ("[[30; m; 12]]", Reason.NOT_A_NUMBER),
+        ("[[30; 1 m + 2 mm; 12]]", Reason.NOT_A_NUMBER),
+        ("[[30; 1 qq; 12]]", Reason.UNKNOWN_NAME),
+        ("[[30; 2 m^99; 12]]", Reason.NOT_A_NUMBER),
+        ("[[30; 1/0 m; 12]]", Reason.NOT_A_NUMBER),
+    ],
+)
+def test_an_entry_with_a_unit_that_does_not_fit_is_refused(text: str, reason: Reason) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        MEASURED.parse(text, Symbols(()))
+    assert refused.value.reason is reason
+
+
+def test_where_the_field_has_no_unit_an_entry_has_none() -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Matrix(1, 2).parse("[1 m, 2 m]", Symbols(()))
+    assert (refused.value.reason, refused.value.position) == (Reason.OTHER_UNIT, 3)
