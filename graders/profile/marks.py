@@ -173,12 +173,10 @@ def _degree(pair: Pair, tolerance: float) -> Remark | None:
     length = place[1] - place[0]
     for power in range(max(len(pair.true.curve), len(pair.drawn.curve)) - 1, 0, -1):
         true, drawn = (_rise(one, power, length) for one in (pair.true, pair.drawn))
-        if abs(drawn - true) <= HALF * abs(true) or max(abs(drawn), abs(true)) <= 1e-9 * tolerance:
-            continue
-        if true and abs(drawn) < HALF * abs(true) and power > 1:
-            return Remark(Slip.STRAIGHT, *place)
+        if true and abs(drawn) >= HALF * abs(true):
+            return None  # of the same degree; how steep and how curved it is, slopes and ordinates tell
         if abs(drawn - true) > tolerance:
-            return Remark(Slip.BENT if power > 1 and abs(true) < HALF * abs(drawn) else Slip.DEGREE, *place)
+            return Remark(Slip.DEGREE if power == 1 else Slip.STRAIGHT if true else Slip.BENT, *place)
     return None
 
 

@@ -117,6 +117,24 @@ def test_what_is_off_in_a_shear_diagram_is_named(text: str, found: Slip) -> None
     assert found in slips(text, SHEAR, V)
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"{FIRST}; {SECOND}; 3..4: 5,5 - 9*(x-3)^2",
+        f"{FIRST}; {SECOND}; 3..4: 5,5 + (x-3)^2",
+        f"0..1,5: 6*x - 3*x^2; {SECOND}; {THIRD}",
+    ],
+)
+def test_a_curve_bent_too_much_or_the_other_way_is_not_said_to_be_of_another_degree(text: str) -> None:
+    assert not slips(text) & {Slip.DEGREE, Slip.BENT, Slip.STRAIGHT} and Slip.ORDINATE in slips(text)
+
+
+@pytest.mark.parametrize("slope", ["-2,2", "+2", "-9"])
+def test_a_straight_line_of_a_wrong_slope_is_not_said_to_be_of_another_degree(slope: str) -> None:
+    found = slips(f"0..1,5: 7,5 - 2x; 1,5..4: -1,5 {slope}*(x - 1,5)", SHEAR, V)
+    assert Slip.DEGREE not in found and Slip.ORDINATE in found
+
+
 def test_places_are_named_in_the_printed_unit_and_in_every_language() -> None:
     verdict = judged(f"{FIRST}; {SECOND}; 3..4: 4,5 - 4,5*(x-3) - (x-3)^2")
     assert verdict.code is Code.SOME_MARKS and 0.3 < verdict.score < 0.7
@@ -318,5 +336,5 @@ def test_the_longest_diagram_is_judged_in_time() -> None:
         "((((x+1)^2+1)^1+1)^3)" + "*(x-1)^0" * 100,
     ]
     for text in texts:
-        assert judged(text).score == 0
+        assert judged(text).score < 0.05  # some pieces are curved where they should be
         assert effort(partial(judged, text), enough=1.0) < 1.0  # tens of milliseconds on a free core
