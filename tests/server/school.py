@@ -57,6 +57,7 @@ class School:
     def browser(self, who: str | None = None) -> TestClient:
         """Open a browser; signed in, where a name is given."""
         client = TestClient(self.app, raise_server_exceptions=False, follow_redirects=False)
+        client.portal = self.portal  # the loop of the server, where each request would start one of its own
         if who is not None:
             reply = client.post("/api/v1/sessions", json={"login": who, "password": PASSWORD})
             assert reply.status_code == 201, reply.text
