@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graders.formulas import place_of
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
 from graders.language.piece import Piece
@@ -62,5 +63,5 @@ def _relation(text: str, symbols: Symbols, unknowns: frozenset[str]) -> Relation
         raise AnswerSyntaxError(reason, 0, text.strip()[:20])
     forbidden = sorted(names(tree) - symbols.names - unknowns)
     if forbidden:
-        raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, 0, forbidden[0])
+        raise AnswerSyntaxError(Reason.FORBIDDEN_NAME, place_of(forbidden[0], text), forbidden[0])
     return tree

@@ -18,6 +18,7 @@ from starlette.testclient import TestClient
 from server.app import create_app
 from server.database import Database
 from server.settings import Settings
+from server.web import language as languages
 from tests.conftest import REQUIRED, Laid
 from tests.server.school import School, opened
 from tests.server.stores import Postgres, free_port, lay
@@ -49,6 +50,16 @@ def client(settings: Settings) -> Iterator[TestClient]:
     """A client of a server that runs in this process; errors come back as responses."""
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         yield found
+
+
+@pytest.fixture(autouse=True)
+def no_language_chosen(request: pytest.FixtureRequest) -> Iterator[None]:
+    """A test leaves no language chosen in the browsers of a course that it shares with others."""
+    yield
+    course = getattr(request.node, "funcargs", {}).get("course")
+    for browser in [] if course is None else vars(course).values():
+        if isinstance(browser, TestClient):
+            browser.cookies.delete(languages.COOKIE)
 
 
 @pytest.fixture(scope="module")

@@ -54,6 +54,12 @@ def test_what_is_no_inequality_of_the_task_is_unreadable(typed: str, reason: Rea
     assert refused.value.reason is reason
 
 
+def test_a_symbol_that_is_not_allowed_is_marked_where_it_stands() -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        TURNS.parse("l1 + h > margin", NAMES)
+    assert (refused.value.reason, refused.value.position) == (Reason.FORBIDDEN_NAME, 9)
+
+
 def test_a_point_is_told_at_which_the_answer_differs() -> None:
     for typed in ("l1 + h < l2", "l1 + h >= l2", "l1 < l2"):
         witness = verdict(TURNS, typed, MARGIN, NAMES).details
