@@ -245,13 +245,14 @@ def _decimal(entry: float) -> str:
 
 def _measured(entry: Tree, asked: Unit, text: str) -> float:
     """Give the value in SI units of an entry that says its unit."""
-    place = max(0, text.find(min(names(entry))))
+    name = min(names(entry))
+    place = max(0, text.find(name))
     try:
         found = measured(entry) if any(isinstance(node, Number) for node in walk(entry)) else None
     except (ArithmeticError, ValueError):
         found = None
     if found is None or not abs(found[0] * found[1].factor) <= GREATEST:
-        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, place, text_of(entry)[:20])
+        raise AnswerSyntaxError(Reason.NOT_A_NUMBER, place, name)
     if not fits(found[1], asked):
         raise AnswerSyntaxError(Reason.OTHER_UNIT, place, text_of(entry)[:20])
     return found[0] * found[1].factor
