@@ -48,7 +48,9 @@ def wrong(solved: Solved, name: str) -> Spelled:
 def _line(solved: Solved, name: str) -> tuple[str, formulas.Lines]:
     step = solved.step_of(name)
     lines = {key: line for key, line in solved.steps.items() if isinstance(line, str)}
-    usable = solved.symbols(name).names
+    usable = (
+        solved.symbols(name).names - solved.exercise.counts_of(solved.variant.givens).keys()
+    )  # counts stand as such
     return lines[step], tuple((key, line) for key, line in lines.items() if key in usable)
 
 
