@@ -16,7 +16,7 @@ from exercises.variants import restore
 from server.answering.judging import graded
 from server.answering.receipts import GRADE, whole
 from server.regrading.difference import Effect, difference
-from server.sets.rules import Rules, share
+from server.sets.rules import Rules, valued
 from server.storage import Answers
 
 log = logging.getLogger("grubler")
@@ -182,8 +182,7 @@ def _judged(secret: bytes, card: Dealt, rules: Rules) -> Iterator[tuple[Work, di
     kept = verifying.kept(card.reference) if stale else ()
     for work in card.works:
         grade = _graded(secret, variant, work, limited=card.limited and not work.all, kept=kept)
-        valued = replace(grade, score=share(grade.verdicts, card.weights, rules))
-        yield work, GRADE.dump_python(valued, mode="json"), stale
+        yield work, GRADE.dump_python(valued(grade, card.weights, rules), mode="json"), stale
 
 
 def _graded(secret: bytes, variant: Variant, work: Work, **rules: Any) -> Grade:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-from dataclasses import replace
 from datetime import UTC, datetime
 from functools import lru_cache
 from time import monotonic
@@ -19,7 +18,7 @@ from server.answering import receipts
 from server.answering.judging import graded
 from server.bench import Bench
 from server.sets import publishing
-from server.sets.rules import Rules, Stage, Window, held, left, share, solution_open, window
+from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
 from server.storage import KeyReused, Marked, Problem
 from server.storage.sets import PUBLISHED, Card, NoAttemptLeft, Place, Slot, TaskSet, Waiting
 from server.web import ids
@@ -175,7 +174,7 @@ async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bo
     grade, sound = await bench.judging.run(_judged, place.card, submission, bench.secret, limited)
     if is_exam(place) and not whole:
         await asyncio.sleep(begun + EXAM_SECONDS - monotonic())
-    return replace(grade, score=share(grade.verdicts, weights_of(place.card), rules_of(place.task_set))), sound
+    return valued(grade, weights_of(place.card), rules_of(place.task_set)), sound
 
 
 def _judged(card: Card, submission: Submission, secret: bytes, limited: bool) -> tuple[Grade, bool]:

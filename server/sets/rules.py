@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from enum import StrEnum
 from math import ceil
@@ -11,6 +11,7 @@ from typing import Annotated, Literal, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from exercises.exercise import Grade
 from graders import Code, Verdict
 
 BEST, WORST = 0.9, 0.1  # how a second chance is weighed
@@ -134,6 +135,18 @@ def same(one: Mapping[str, str | Sequence[str]], other: Mapping[str, str | Seque
 def _said(answers: Mapping[str, str | Sequence[str]]) -> dict[str, str]:
     texts = {name: text if isinstance(text, str) else "\n".join(text) for name, text in answers.items()}
     return {name: text.strip() for name, text in texts.items() if text.strip()}
+
+
+def valued(grade: Grade, weights: Mapping[str, float], rules: Rules) -> Grade:
+    """Give a grade the score it has in a set; answers that only a later version of its exercise asks for are left out.
+
+    Args:
+        grade: The grade, by the exercise as it is installed.
+        weights: Of the answers that the card asks for.
+        rules: The rules of the set.
+    """
+    verdicts = {name: verdict for name, verdict in grade.verdicts.items() if name in weights}
+    return replace(grade, verdicts=verdicts, score=share(verdicts, weights, rules))
 
 
 def share(verdicts: Mapping[str, Verdict], weights: Mapping[str, float], rules: Rules) -> float:

@@ -9,6 +9,7 @@ import pytest
 
 from exercises import catalogue, grading, solving
 from exercises.exercise import Submission
+from graders import Expression
 from server.sets import dealing, handing
 from tests.server.conftest import SECRET
 from tests.server.sets.conftest import EXERCISE, Course, moment
@@ -121,6 +122,22 @@ def test_what_is_open_stays_as_it_was_published(course: Course, monkeypatch: pyt
     forget()
     assert after == before
     assert graded["needs_regrade"] is True and graded["verdicts"]["l3"]["outcome"] == "right"
+
+
+def test_what_only_a_later_version_asks_for_takes_nothing_from_a_card(
+    course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    number = course.published()
+    variant, right = course.variant(number), texts(course, number)
+    exercise = catalogue.load(EXERCISE).exercise
+    assert isinstance(exercise.answers, dict)
+    monkeypatch.setitem(exercise.answers, "l3_formula", Expression("l3"))
+    forget()
+    graded, page = course.hand_in(variant, right).json(), course.student.get(f"/variants/{variant}")
+    monkeypatch.undo()
+    forget()
+    assert page.status_code == 200 and "l3_formula" not in page.text
+    assert (graded["score"], set(graded["verdicts"]), graded["needs_regrade"]) == (1.0, set(right), True)
 
 
 def test_attempts_are_limited_and_counted_by_the_rule(course: Course) -> None:
