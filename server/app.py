@@ -99,8 +99,8 @@ async def openapi(request: Request) -> dict[str, Any]:
     return found
 
 
-class Laboratory(FastAPI):
-    """The application. The description of its interface is the same for all of a process and written once."""
+class Application(FastAPI):
+    """FastAPI's, but the description of the interface is written once: it is the same for all of a process."""
 
     described: ClassVar[dict[str, Any]] = {}
 
@@ -124,7 +124,7 @@ def create_app(settings: Settings, *, judging: Judging | None = None, passwords:
         IncompleteExercise: An exercise folder is not complete.
     """
     catalogue.check()
-    app = Laboratory(
+    app = Application(
         title="Grübler", version=version("grubler"), lifespan=_lifespan, redirect_slashes=False,
         docs_url=None, redoc_url=None, openapi_url=None,
     )  # fmt: skip
