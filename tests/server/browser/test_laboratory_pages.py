@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 
 from exercises import grading
 from exercises.variants import deal
+from tests.exercises.test_arms import closed_by_one_vector
 from tests.server.browser.walking import desk, focus_by_tab, follow
 from tests.server.conftest import Live
 
@@ -64,6 +65,15 @@ def test_the_laboratory_from_the_polygon_to_the_report(page: Page, site: Live) -
         content = Path(saved.value.path()).read_bytes()
         assert content.startswith(head)
     assert "Anna Nowak" in content.decode() and "Theta" not in content.decode()[:200]
+
+
+def test_a_polygon_closed_by_one_vector_moves_under_coordinates_of_its_end(page: Page, site: Live) -> None:
+    typed = closed_by_one_vector("tmm2_oop", 7)
+    desk(page, site.url, "tmm2_oop")
+    fill(page, "polygon", typed["polygon"].replace("r*cos(phi)", "x_D").replace("r*sin(phi)", "y_D"))
+    expect(page.locator("[data-lab='note']")).to_have_text(AGREES)
+    fill(page, "velocities", typed["velocities"])
+    expect(page.locator("[data-plot='velocity'] output")).to_contain_text("m/s")
 
 
 def test_one_wrong_formula_breaks_the_named_link_in_the_language_of_the_page(page: Page, site: Live) -> None:

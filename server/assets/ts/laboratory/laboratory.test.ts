@@ -73,6 +73,52 @@ test("right relations keep every length and follow the true motion", () => {
   }
 });
 
+const ARM: Machine = {
+  ...SLIDER_CRANK,
+  drives: [...SLIDER_CRANK.drives, { name: "a2", rate: "w2", surge: "e2" }],
+  pairs: [...SLIDER_CRANK.pairs, { kind: "turn", coordinate: "a2", behind: "l1", datum: 0, turn: 0 }],
+  plotted: [{ axis: "x", name: "x_C", rate: "v_x", surge: "a_x" }, { axis: "y", name: "y_C", rate: "v_y", surge: "a_y" }],
+  tip: "l2",
+  rod: "",
+};
+const ARM_START = new Map([...START, ["a2", 1], ["w2", -3], ["e2", 2]]);
+const byOneVector = (x: Tree, y: Tree): ReturnType<typeof readPolygon> =>
+  readPolygon({
+    vectors: [
+      { start: "A", end: "B", length: "l1", angle: "a1" },
+      { start: "B", end: "C", length: "l2", angle: "a2" },
+      { start: "A", end: "C", length: "r", angle: "phi" },
+    ],
+    equations: [{ axis: "x", zero: x }, { axis: "y", zero: y }],
+  });
+const [ARM_X, ARM_Y] = ["cos", "sin"].map((wave) => sum(times("l1", [wave, "a1"]), times("l2", [wave, "a2"]))) as [Tree, Tree];
+
+test("a vector to the last node may be projected as its coordinates, on either side", () => {
+  for (const own of [byOneVector(["-", ARM_X, "x_C"], ["-", ARM_Y, "y_C"]), byOneVector(["-", "x_C", ARM_X], ["-", ARM_Y, "y_C"])]) {
+    const motion = new Motion(ARM, ARM_START, { ...NOTHING, polygon: own });
+    for (const moment of motion.moments) {
+      assert.equal(finding(ARM, moment, valuesAt(ARM, ARM_START, moment.t), true).kind, "agrees");
+    }
+  }
+  const turned: Tree = sum(times("l1", ["cos", "a1"]), times("l2", ["cos", "a2"]));
+  const wrong = new Motion(ARM, ARM_START, { ...NOTHING, polygon: byOneVector(["-", ARM_X, "x_C"], ["-", turned, "y_C"]) });
+  assert.equal(finding(ARM, wrong.at(0), ARM_START, true).kind, "broken");
+});
+
+test("the velocity of the last node is its own, however the vector to it is written", () => {
+  const turn = (wave: string, sign: Tree, name: string): Tree =>
+    ["-", times(sign, sum(times(times("l1", "w1"), [wave, "a1"]), times(times("l2", "w2"), [wave, "a2"]))), name];
+  const velocities = readRates({ equations: [{ axis: "x", zero: turn("sin", -1, "v_x") }, { axis: "y", zero: turn("cos", 1, "v_y") }], said: [] });
+  const polar = byOneVector(["-", ARM_X, times("r", ["cos", "phi"])], ["-", ARM_Y, times("r", ["sin", "phi"])]);
+  for (const own of [polar, byOneVector(["-", ARM_X, "x_C"], ["-", ARM_Y, "y_C"])]) {
+    const motion = new Motion(ARM, ARM_START, { ...NOTHING, polygon: own, velocities });
+    for (const axis of ["x", "y"] as const) {
+      const [curve, under] = [motion.curve("velocity", axis), motion.under("velocity", axis)];
+      assert.ok(Math.max(...curve.map((value, k) => Math.abs(value - under[k]!))) < 1e-3 * Math.max(...curve.map(Math.abs)));
+    }
+  }
+});
+
 test("a cosine in the place of a sine breaks the crank and nothing else", () => {
   const wrong: Tree = sum(times("l1", ["cos", "a1"]), times("l2", ["sin", "a2"]));
   const motion = new Motion(SLIDER_CRANK, START, { ...NOTHING, polygon: readPolygon(polygon(X, wrong)) });

@@ -74,9 +74,17 @@ export class Motion {
     const { velocities, accelerations } = this.own;
     const first = stance && velocities ? solveRates(this.student!, velocities, all, 1) : null;
     const second = stance && accelerations && first ? solveRates(this.student!, accelerations, first.values, 2) : null;
-    const speed = first && endVelocity(this.student!, values, stance!.sought, first.rates);
-    const push = first && second && endAcceleration(this.student!, values, stance!.sought, first.rates, second.rates);
+    const speed = first && (this.named(first.values, "rate") ?? endVelocity(this.student!, values, stance!.sought, first.rates));
+    const push = first && second &&
+      (this.named(second.values, "surge") ?? endAcceleration(this.student!, values, stance!.sought, first.rates, second.rates));
     return { velocity: speed ?? this.written(all, "rate"), acceleration: push ?? this.written(all, "surge") };
+  }
+
+  /* The components of the last node, where the differentiated projections hold them under their own names. */
+  private named(solved: Values, kind: "rate" | "surge"): Point | null {
+    const value = (axis: "x" | "y"): number => solved.get(this.machine.plotted.find((one) => one.axis === axis)?.[kind] ?? "") ?? NaN;
+    const point = { x: value("x"), y: value("y") };
+    return Number.isFinite(point.x + point.y) ? point : null;
   }
 
   /* The formulas of section 12, where the differentiated projections are not there yet. */

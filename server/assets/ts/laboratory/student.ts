@@ -35,8 +35,9 @@ export class Student {
     this.machine = machine;
     this.polygon = polygon;
     const isNew = (name: string): boolean => !known.has(name);
-    const closing = polygon.vectors.filter(({ length }) => [...namesOf(length)].some(isNew));
-    this.angles = new Set(polygon.vectors.flatMap(({ angle }) => [...namesOf(angle)].filter(isNew)));
+    const vectors = placed(machine, polygon, isNew);
+    const closing = vectors.filter(({ length }) => [...namesOf(length)].some(isNew));
+    this.angles = new Set(vectors.flatMap(({ angle }) => [...namesOf(angle)].filter(isNew)));
     const named = closing.flatMap(({ length }) => [...namesOf(length)].filter(isNew));
     this.sought = [...new Set([...polygon.names.filter(isNew), ...named])];
     this.lengths = [...machine.links.map(({ length }) => length), ...named];
@@ -155,6 +156,17 @@ export function linear(
 
 function compiled({ length, angle }: Vector): Omit<Closing, "sign"> {
   return { length: compile(length), angle: compile(angle) };
+}
+
+/* A vector to the last node that is projected as the coordinates of this node stands as the two of them. */
+function placed(machine: Machine, { vectors, names }: Polygon, isNew: (name: string) => boolean): Vector[] {
+  const [start, end] = [machine.links[0]!.start, machine.links.at(-1)!.end];
+  const own = new Set(vectors.flatMap(({ length, angle }) => [...namesOf(angle, namesOf(length))]));
+  const along = machine.plotted.filter(({ name }) => isNew(name) && names.includes(name) && !own.has(name));
+  if (along.length < 2) return vectors;
+  const unused = (vector: Vector): boolean => [...namesOf(vector.length)].some((name) => isNew(name) && !names.includes(name));
+  const coordinates = along.map(({ axis, name }) => ({ start, end, length: name, angle: axis === "x" ? 0 : Math.PI / 2 }));
+  return [...vectors.filter((vector) => !unused(vector)), ...coordinates];
 }
 
 /* Nodes in the order of the alphabet lead away from the frame, but the foot of the last node stands before it. */
