@@ -48,6 +48,7 @@ from server.web.errors import Failure, Refused
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["task sets"])
 FROZEN: dict[int | str, dict[str, Any]] = HERE | {409: {"model": Failure}}
+FIELDS = {"limits": ("limits",), "unknown_given": ("limits",), "steps": ("pool",)}  # of an item, by what is wrong
 WAIT = 20.0  # s that a request waits for a set to be published
 Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
 
@@ -323,7 +324,8 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: fl
 
 
 def _troubled(reader: Reader, trouble: Trouble) -> Refused:
-    field = f"items.{trouble.slot}" if trouble.slot else "items"
+    place = ("items", *((str(trouble.slot - 1), *FIELDS.get(trouble.code, ())) if trouble.slot else ()))
+    field = ".".join(place)
     return Refused(422, "set_troubled", field=field, said=said(reader.language, trouble))
 
 

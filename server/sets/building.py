@@ -16,6 +16,7 @@ from exercises import catalogue
 from server.bench import Bench
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
+from server.sets.foresight import refuse_unfit
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
 from server.storage.courses import Course
@@ -62,7 +63,7 @@ async def add(bench: Bench, course: Course, draft: Draft) -> TaskSet:
         Refused: 422, something in it cannot be.
     """
     new = _made(ids.new(), course, draft, 1, datetime.now(UTC))
-    await _refuse_strange_chance(bench, new)
+    await _refuse_what_cannot_be(bench, new, draft)
     await bench.sets.add(new)
     return new
 
@@ -74,7 +75,7 @@ async def change(bench: Bench, old: TaskSet, course: Course, draft: Draft, revis
         Refused: 409, it is published, or was changed meanwhile; 422, something in it cannot be.
     """
     new = _made(old.id, course, draft, revision + 1, old.created)
-    await _refuse_strange_chance(bench, new)
+    await _refuse_what_cannot_be(bench, new, draft)
     try:
         await bench.sets.change(new, revision)
     except NotADraft:
@@ -127,6 +128,21 @@ def _pool(item: Item, at: int) -> tuple[str, ...]:
     if not 1 <= item.pick <= len(pool):
         raise Refused(422, "set_pick", field=f"items.{at}")
     return pool
+
+
+async def _refuse_what_cannot_be(bench: Bench, new: TaskSet, draft: Draft) -> None:
+    await _refuse_strange_chance(bench, new)
+    tasks = [(_pool(item, at), item.limits) for at, item in enumerate(draft.items)]
+    await bench.judging.run(refuse_unfit, tasks)
+
+
+async def unfit(bench: Bench, task_set: TaskSet) -> Refused | None:
+    """Tell why a stored draft can never be published, as far as that is known: exercises change."""
+    try:
+        await bench.judging.run(refuse_unfit, [(slot.pool, slot.limits) for slot in task_set.slots])
+    except Refused as refused:
+        return refused
+    return None
 
 
 async def _refuse_strange_chance(bench: Bench, new: TaskSet) -> None:

@@ -27,7 +27,7 @@ from server.sets.form import draft_of_form, problem, typed, written
 from server.sets.previewing import preview
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
-from server.storage.sets import PUBLISHING, TaskSet
+from server.storage.sets import DRAFT, PUBLISHING, TaskSet
 from server.web.errors import Refused, printable, wants_page
 from server.web.templating import page
 
@@ -192,10 +192,11 @@ async def _builder(
     place = clock.zone(here(reader).course.time_zone)
     job = await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None
     dealt = await bench.jobs.progress(job.id) if job else ()
+    told = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
     context = {
         "task_set": found,
         "written": typed or written(found, place),
-        "problem": problem(reader.language, refused) if refused else None,
+        "problem": problem(reader.language, told) if told else None,
         "wait": None,
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,

@@ -12,6 +12,8 @@ from starlette.testclient import TestClient
 
 from exercises.givens import numbers
 from exercises.variants import deal
+from server.sets import foresight
+from server.sets.foresight import Traits
 from server.sets.form import draft_of_form
 from tests.server.sets.conftest import EXERCISE, Course, moment
 
@@ -160,6 +162,16 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
     [
         ("en", {"slot.1.pool": f"{EXERCISE} nonsense"}, "Task 1, nonsense: There is no such exercise."),
         ("pl", {"slot.1.points": "dużo"}, "Wartość pola Zadanie 1, Punkty ma zły typ"),
+        (
+            "en",
+            {"slot.1.limits": "l9 1 2"},
+            "Task 1, Limits on givens: None of these exercises has a given l9. What can be limited: l1, l2,",
+        ),
+        (
+            "pl",
+            {"slot.1.pool": f"{EXERCISE} four_bar"},
+            "Te zadania różnią się liczbą kroków (slider_crank 4, four_bar 14)",
+        ),
         ("ru", {"late_loss": "150"}, "Потеря за день"),
         ("en", {"due": "2026-03-29T02:30"}, "The value of Due is no moment"),
         ("pl", {"opens": "2030-02-01T12:00", "due": "2030-01-31T12:00"}, "Termin: Zestaw musi się otworzyć"),
@@ -257,6 +269,16 @@ def test_the_preview_tells_which_givens_can_be_limited_and_how(course: Course) -
         assert said in course.lecturer.get(f"{page}?lang={language}").text
     typed = fields(course.lecturer.get(f"{page}?lang=pl").text) | {"slot.1.limits": "l1 0,04 0,12; l2 0,1 0,6"}
     assert course.lecturer.post(page, data=typed).status_code == 303
+
+
+def test_a_draft_that_can_no_longer_be_published_says_so_in_the_builder(
+    course: Course, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = f"/sets/{course.built(item={'limits': {'l1': [0.05, 0.08]}})}?lang=pl"
+    said = "Zadanie 1, Ograniczenia danych: Żadne z tych zadań nie ma danej l1."
+    assert said not in course.lecturer.get(page).text
+    monkeypatch.setattr(foresight, "traits", lambda exercise: Traits(("l2",), frozenset({4})))
+    assert said in course.lecturer.get(page).text
 
 
 def test_deadlines_move_and_sets_are_copied_from_the_page(course: Course) -> None:

@@ -1,0 +1,42 @@
+"""What is told of a task before a card is dealt."""
+
+from __future__ import annotations
+
+import pytest
+
+from server.sets.foresight import Task, refuse_unfit, traits
+from server.web.errors import Refused
+
+
+@pytest.mark.parametrize(
+    "task",
+    [
+        (("planetary", "gear_train"), {}),  # 5 steps, and 4 or 5
+        (("slider_crank", "no_longer_there"), {"l1": (0.05, 0.08)}),
+        (("beam_diagrams",), {"q1": (1.0, 2.0)}),  # of many loads, a given of some draws only
+        (("mobility",), {}),
+    ],
+)
+def test_what_dealing_may_yet_take_is_left_to_it(task: Task) -> None:
+    refuse_unfit([task])
+
+
+@pytest.mark.parametrize(
+    ("task", "code", "field"),
+    [
+        (("slider_crank", "four_bar"), "unequal_steps", "items.1.pool"),
+        (("gear_train", "slider_crank", "simple_beam"), "unequal_steps", "items.1.pool"),
+        (("mobility",), "unknown_given", "items.1.limits"),
+        (("slider_crank",), "unknown_given", "items.1.limits"),
+    ],
+)
+def test_what_can_never_be_published_is_told_by_task_and_field(task: tuple[str, ...], code: str, field: str) -> None:
+    limits = {"l9": (0.0, 1.0)} if code == "unknown_given" else {}
+    with pytest.raises(Refused) as refused:
+        refuse_unfit([(("planetary",), {}), (task, limits)])
+    assert (refused.value.status_code, refused.value.code, refused.value.field) == (422, code, field)
+
+
+def test_givens_that_few_draws_have_are_known() -> None:
+    assert {"F1", "F3", "q1"} <= set(traits("beam_diagrams").givens)
+    assert traits("stepped_shaft").steps == {14, 18, 22}
