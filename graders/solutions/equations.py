@@ -11,10 +11,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import islice, product
 
-from flint import arb
-
 from graders.equality import Finding
-from graders.equality.rising import trends
+from graders.equality.rising import Trend, trends
 from graders.equality.turns import TURNING
 from graders.language.balls import precision
 from graders.language.intervals import INTERVALS
@@ -23,7 +21,8 @@ from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside, flat_zero
 from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
-from graders.solutions.reduction import cleared, degrees, factors, reduced, residual
+from graders.solutions.ratio import Ratio
+from graders.solutions.reduction import cleared, degrees, degrees_along, divides, factors, reduced, residual
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -38,7 +37,6 @@ from graders.solutions.scene import (
 )
 from graders.solutions.zeros import NODES, Line, Zero, away, crossing, inside, only, parabola, scanned
 
-DRAWS = 4  # points at which the ratio is tested
 ENOUGH = 3  # zeros of each side that the other must share
 STARTS = 8  # points from which zeros are looked for all over the box
 SCANNED = 2  # lines that are searched from end to end
@@ -47,7 +45,6 @@ BRANCHES = 40  # points in every branch
 SEARCHED, FEWER = 12, 33  # lines in branches that are searched from end to end, and their nodes
 MOST = 12  # zeros of one line
 PROVING = 3  # what an operation on ranges costs
-SHARE = 0.6180339887  # of the range between the two values of the unknown
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +81,7 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
         try:
             trees = [reduced(residual(equation), unknowns) for equation in (reference, answer)]
             pair = Pair(scene, trees, scene.names.index(unknown))
-            return pair.known(pair.by_ratio() or pair.by_zeros())
+            return pair.known(pair.by_ratio() or pair.by_straight() or pair.by_zeros())
         except TooMuchWork:
             return UNDECIDED
 
@@ -96,14 +93,22 @@ class Factor:
     Attributes:
         side: The side, of this factor alone.
         tree: As it is written.
-        degrees: Its degree in each symbol, once it is asked for.
-        single: Whether it only rises or only falls along the unknown, once it is asked for.
+        along: The degrees in the unknown of all slots of its program, as they are written.
     """
 
     side: Side
     tree: Tree
-    degrees: dict[str, int] | None = None
-    single: bool | None = None
+    along: Sequence[int]
+
+    @property
+    def slot(self) -> int:
+        """Give the place of its value in the program."""
+        return self.side.pair.program.outputs[self.side.places[0]]
+
+    @property
+    def degree(self) -> int:
+        """Give its degree in the unknown, as it is written."""
+        return self.along[self.slot]
 
 
 class Pair:
@@ -115,11 +120,13 @@ class Pair:
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
         self.both = Residuals(scene, [[tree] for tree in trees], Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
+        self.ratio = Ratio(self.both, unknown)
 
     @cached_property
-    def numerators(self) -> list[Tree]:
+    def numerators(self) -> Sequence[Tree]:
         """Give the sides without the denominators that hold the unknown."""
-        return [cleared(tree, self.name) for tree in self.trees]
+        held = divides(self.both.program, self.ratio.along)
+        return [cleared(tree, self.name) for tree in self.trees] if held else self.trees
 
     @cached_property
     def factors(self) -> list[list[Factor]]:
@@ -127,8 +134,10 @@ class Pair:
         parts = [factors(tree) for tree in self.numerators]
         whole = all(part == [tree] for part, tree in zip(parts, self.trees, strict=True))
         pair = self.both if whole else Residuals(self.scene, parts, self.both.effort)
+        along = self.ratio.along if whole else degrees_along(pair.program, self.unknown)
         return [
-            [Factor(Side(pair, which, (k,)), tree) for k, tree in enumerate(part)] for which, part in enumerate(parts)
+            [Factor(Side(pair, which, (k,)), tree, along) for k, tree in enumerate(part)]
+            for which, part in enumerate(parts)
         ]
 
     def known(self, found: Found) -> Found:
@@ -137,37 +146,15 @@ class Pair:
 
     def by_ratio(self) -> Found | None:
         """Tell whether the ratio of the two is constant in the unknown; None where it is not, or has no value."""
-        tested, depends = 0, False
-        for point in exactly(self.scene.points):
-            match self._ratio(point):
-                case None:
-                    return None
-                case changes if changes >= 0:
-                    depends, tested = depends or changes > 0, tested + 1
-            if tested == DRAWS:
-                break
-        if tested < DRAWS or not depends:
-            return None
-        beside = (self._ratio(point) for point in exactly(self.branches))
-        return None if any(found is None for found in beside) else EQUAL
+        return EQUAL if self.ratio.constant() and self.ratio.kept(self.branches) else None
 
-    def _ratio(self, point: Sequence[arb]) -> int | None:
-        """Compare the ratio at two values of the unknown: 1 where the side changes, 0 where it does not.
+    def by_straight(self) -> Found | None:
+        """Tell whether a zero of a side that is affine in the unknown is none of the other; None where none tells."""
+        found = self.ratio.apart()
+        return None if found is None else self._apart(*found)
 
-        -1 where neither side has a value; None where the ratio is another one, or one side alone has no value.
-        """
-        one, other = self.both.balls(point)[:2]
-        first, second = self.both.balls(moved(point, self.unknown, self._elsewhere(point)))[:2]
-        if one is None or other is None or first is None or second is None:
-            return None if (one is None) != (other is None) or (first is None) != (second is None) else -1
-        if not (one * second - other * first).contains(0) or first.contains(0) or second.contains(0):
-            return None
-        return int(not (one - first).contains(0))
-
-    def _elsewhere(self, point: Sequence[arb]) -> arb:
-        low, high = self.scene.ranges[self.unknown]
-        share = (float(point[self.unknown]) - low) / (high - low) if high > low else 0.0
-        return arb(low + (high - low) * ((share + SHARE) % 1.0))
+    def _apart(self, which: int, zero: Zero) -> Found:
+        return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
 
     @cached_property
     def _found(self) -> Branches:
@@ -186,7 +173,7 @@ class Pair:
         for which, zero in self._zeros():
             match beside(self.sides[1 - which], zero):
                 case Beside.OTHER | Beside.UNDEFINED:
-                    return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
+                    return self._apart(which, zero)
                 case Beside.ZERO:
                     shared[which] += 1
                 case Beside.UNSURE:
@@ -234,7 +221,7 @@ class Pair:
 
     def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
         """Give zeros of one side and of the other, first of that of the lower degree, whose zeros cost less."""
-        degrees = [max(self._degrees(factor).get(self.name, 0) for factor in factors) for factors in self.factors]
+        degrees = [max(factor.degree for factor in factors) for factors in self.factors]
         sources = [(which, source(which)) for which in sorted((0, 1), key=degrees.__getitem__)]
         while sources:
             for side in list(sources):
@@ -259,36 +246,26 @@ class Pair:
             known[name] = degrees(line, known)
         return known
 
-    def _degrees(self, factor: Factor) -> dict[str, int]:
-        """Give the degree of a factor in each symbol as it is written."""
-        if factor.degrees is None:
-            factor.degrees = degrees(factor.tree, self._lines)
-        return factor.degrees
-
     def _affine(self, factor: Factor) -> list[int]:
         """Give the symbols in which a factor is affine as it is written, the unknown first."""
-        found = self._degrees(factor)
+        found = degrees(factor.tree, self._lines)
         symbols = [at for at, name in enumerate(self.scene.names) if found.get(name) == 1]
         return sorted(symbols, key=lambda at: at != self.unknown)
 
     def _plain(self, factor: Factor) -> bool:
         """Tell whether all zeros of a factor on a line along the unknown are found at once."""
-        degree = self._degrees(factor).get(self.name, 0)
-        return degree in (1, 2) or (degree > 2 and self._single(factor))
+        return factor.degree in (1, 2) or (factor.degree > 2 and self._trends[factor.slot] in (1, -1))
 
-    def _single(self, factor: Factor) -> bool:
-        """Tell whether a factor only rises or only falls along the unknown."""
-        if factor.single is None:
-            program = factor.side.pair.program
-            program = program.only(program.outputs[factor.side.places[0]])
-            self.both.effort.spend(PROVING * len(program.operations))
-            ranges = Runner(program, INTERVALS).slots(self.scene.ranges)
-            factor.single = trends(program, ranges, self.unknown)[program.outputs[0]] in (1, -1)
-        return factor.single
+    @cached_property
+    def _trends(self) -> list[Trend]:
+        """Tell of the factors which only rise or only fall along the unknown."""
+        program = self.factors[0][0].side.pair.program
+        self.both.effort.spend(PROVING * len(program.operations))
+        return trends(program, Runner(program, INTERVALS).slots(self.scene.ranges), self.unknown)
 
     def _on(self, factor: Factor, base: Sequence[float], nodes: int = NODES) -> Iterable[Zero]:
         """Give the zeros of a factor on the line along the unknown through a point."""
-        line, degree = Line(factor.side, base, self.unknown), self._degrees(factor).get(self.name, 0)
+        line, degree = Line(factor.side, base, self.unknown), factor.degree
         found = parabola(line) if degree == 2 else None
         if found is not None:
             return found
@@ -301,11 +278,11 @@ class Pair:
         """Give zeros of the factors whose zeros on a line are found at once."""
         for factor in filter(self._plain, self.factors[which]):
             found = (zero for base in self._bases(factor) for zero in self._on(factor, base))
-            yield from found if self._degrees(factor)[self.name] == 2 else islice(found, ENOUGH + 1)
+            yield from found if factor.degree == 2 else islice(found, ENOUGH + 1)
 
     def _bases(self, factor: Factor) -> Iterable[Sequence[float]]:
         """Give points for lines; of a parabola some for each way in which its zeros lie in the range."""
-        if self._degrees(factor)[self.name] != 2:
+        if factor.degree != 2:
             return extreme(self.scene)
         bases, (low, high) = list(extreme(self.scene)), self.scene.ranges[self.unknown]
         points = [tuple(moved(base, self.unknown, x)) for base in bases for x in (low, (low + high) / 2, high)]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from operator import add
 
+from graders.language.program import Program
 from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children, walk
 
 SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
@@ -114,6 +115,36 @@ def degrees(tree: Tree, known: Mapping[str, Mapping[str, int]]) -> dict[str, int
             return _joined(found, found, add)
         case _:
             return _bent({name: 1 for part in children(tree) for name in degrees(part, known)})
+
+
+def degrees_along(program: Program, symbol: int) -> list[int]:
+    """Give the degree of every slot of a program in one of its inputs, as `degrees` does for a tree."""
+    first = len(program.inputs)
+    found = [0] * (first + len(program.operations) + len(program.literals))  # literals count from the end
+    found[symbol] = 1
+    for slot, (name, arguments) in enumerate(program.operations, first):
+        own = [found[at] for at in arguments]
+        if any(own):
+            found[slot] = min(BENT, _degree(name, own))
+    return found
+
+
+def _degree(name: str, own: Sequence[int]) -> int:
+    match name:
+        case "+" | "-":
+            return max(own)
+        case "*":
+            return own[0] + own[1]
+        case "/":
+            return BENT if own[1] else own[0]
+        case "power2":
+            return 2 * own[0]
+    return own[0] if name in ("negate", "degrees") else BENT
+
+
+def divides(program: Program, along: Sequence[int]) -> bool:
+    """Tell by the degrees of its slots whether a program divides by something that `cleared` multiplies with."""
+    return any(name == "/" and 0 < along[arguments[1]] < BENT for name, arguments in program.operations)
 
 
 def _joined(one: dict[str, int], other: dict[str, int], join: Callable[[int, int], int]) -> dict[str, int]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import pi
+from random import Random
 
 import pytest
 
@@ -12,9 +13,10 @@ from graders.language.balls import precision
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
 from graders.solutions.equations import Found, Pair, compare_equations
-from graders.solutions.reduction import reduced, residual
+from graders.solutions.reduction import degrees, degrees_along, reduced, residual
 from graders.solutions.scene import BITS, WORK, scene_of
 from tests.graders.effort import effort
+from tests.graders.rewriting import SYMBOLS, drawn
 from tests.graders.solutions.boxes import RANGES, SCENE, relation
 
 EQUAL = [
@@ -143,8 +145,40 @@ def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
     trees = [reduced(residual(relation(text)), frozenset((unknown,))) for text in (one, other)]
     with precision(BITS):
         pair = Pair(SCENE, trees, SCENE.names.index(unknown))
-        pair.known(pair.by_ratio() or pair.by_zeros())
+        pair.known(pair.by_ratio() or pair.by_straight() or pair.by_zeros())
     assert WORK - pair.both.effort.left < most
+
+
+@pytest.mark.parametrize(
+    ("unknown", "one", "other", "lost"),
+    [
+        ("l3", "l1*cos(a1) + l2*cos(a2) = l3", "l3 = l1*cos(a1) - l2*cos(a2)", True),
+        ("y", "exp(y) = a", "y = -ln(a)", False),
+        ("y", "x*y = a", "y = a*(1 + 1e-9)/x", True),
+    ],
+)
+def test_a_zero_of_an_affine_side_tells_two_equations_apart_at_once(
+    unknown: str, one: str, other: str, lost: bool
+) -> None:
+    trees = [reduced(residual(relation(text)), frozenset((unknown,))) for text in (one, other)]
+    with precision(BITS):
+        pair = Pair(SCENE, trees, SCENE.names.index(unknown))
+        found = pair.by_straight()
+    assert found is not None
+    assert (found.finding, found.lost) == (Finding.DIFFERENT, lost)
+    assert solves(one if lost else other, dict(found.witness))
+    assert WORK - pair.both.effort.left < 6 * pair.both.cost
+
+
+def test_the_degrees_along_a_program_are_those_of_its_tree() -> None:
+    rng = Random(1)
+    for tree in (drawn(rng, 1 + at % 4) for at in range(400)):
+        builder = Builder(SYMBOLS)
+        slot, found = builder.add(tree), degrees(tree, {})
+        program = builder.program(slot)
+        assert {name: degrees_along(program, at)[slot] for at, name in enumerate(SYMBOLS)} == {
+            name: found.get(name, 0) for name in SYMBOLS
+        }
 
 
 def test_both_sides_of_an_identity_and_of_the_same_text_are_equal() -> None:
