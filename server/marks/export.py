@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from server.marks.gradebook import Cell, Gradebook, Row
+from server.marks.totals import totals
 from server.web.language import say
 from server.web.templating import decimal
 
@@ -49,19 +50,19 @@ def of_set(book: Gradebook, course: str, language: str) -> Table:
 
 
 def of_course(books: Sequence[Gradebook], course: str, language: str) -> Table:
-    """Write the marks of a course: a column a set."""
+    """Write the marks of a course: a column a set; what second chances change stands in a column of its own."""
+    whole = totals(books)
     titles = [f"{one.task_set.title} ({decimal(language, one.worth)})" for one in books]
-    worth = sum(one.worth for one in books)
     rows = [
         (
-            *_who(course, own[0]), *(row.points if row.taken else None for row in own),
-            *_taken_off(own), round(sum(row.points for row in own), 3), worth, *_flags(language, own),
+            *_who(course, one.rows[0]), *(row.points if row.taken else None for row in one.rows),
+            *_taken_off([one.rows[number] for number in whole.firsts]), *([one.weighed] if whole.chances else []),
+            one.points, whole.worth, *_flags(language, one.rows),
         )
-        for own in zip(*(one.rows for one in books), strict=True)
+        for one in whole.students
     ]  # fmt: skip
-    return Table(
-        say(language, "marks.results"), (*_head(language), *titles, *_tail(language, share=False)), tuple(rows)
-    )
+    header = (*_head(language), *titles, *_tail(language, share=False, chances=whole.chances))
+    return Table(say(language, "marks.results"), header, tuple(rows))
 
 
 def written(table: Table, form: Form, separator: Separator) -> bytes:
@@ -109,11 +110,12 @@ def _head(language: str) -> tuple[str, ...]:
     return tuple(say(language, key) for key in own)
 
 
-def _tail(language: str, *, share: bool) -> tuple[str, ...]:
+def _tail(language: str, *, share: bool, chances: bool = False) -> tuple[str, ...]:
     own = (
         "before",
         "late_loss",
         "hint_loss",
+        *(["second_chance"] if chances else []),
         "points",
         "worth",
         *(["share"] if share else []),

@@ -26,6 +26,7 @@ from server.marks.gradebook import Cell, Gradebook, Row
 from server.marks.history import history
 from server.marks.items import items, shown_item
 from server.marks.shapes import verdicts_of
+from server.marks.totals import totals
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import clock
@@ -93,11 +94,7 @@ async def show_analysis(task_set: str, request: Request, bench: Tools, reader: A
 async def show_course(course: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show the points of a class in all published sets."""
     books = await gradebook.of_course(bench, course)
-    rows = [
-        (rows[0], rows, round(sum(row.points for row in rows), 3))
-        for rows in zip(*(one.rows for one in books), strict=True)
-    ]
-    context = {"books": books, "rows": rows}
+    context = {"books": books, "whole": totals(books)}
     return page(request, reader.language, "course_results.html", context | _common(reader))
 
 

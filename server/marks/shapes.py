@@ -12,6 +12,7 @@ from server.answering.submissions import Judged, judged
 from server.marks.giving import Left
 from server.marks.gradebook import Cell, Gradebook, Row
 from server.marks.history import History, Piece, Seen
+from server.marks.totals import Total, totals
 from server.sets.shapes import ListedTaskSet, listed_set
 from server.storage.marks import Mark, Progress
 
@@ -89,7 +90,8 @@ class SetCell(BaseModel):
 
 
 class CourseRow(BaseModel):
-    """A student in a course: the sets in the order of the columns."""
+    """A student in a course: the sets in the order of the columns. In `points` a set and its second chance count once,
+    weighed: nine tenths of the better result and one tenth of the worse."""
 
     student: ShownStudent
     points: float
@@ -98,8 +100,9 @@ class CourseRow(BaseModel):
 
 
 class CourseGradebook(BaseModel):
-    """The gradebook of a course."""
+    """The gradebook of a course; `points` can be reached, a second chance adds none."""
 
+    points: float
     sets: list[SetColumn]
     students: list[CourseRow]
 
@@ -214,8 +217,8 @@ def shown_gradebook(found: Gradebook) -> ShownGradebook:
 def course_gradebook(found: list[Gradebook]) -> CourseGradebook:
     """Show the gradebook of a course from those of its sets, which list the same students in the same order."""
     columns = [SetColumn(id=one.task_set.id, title=one.task_set.title, points=one.worth) for one in found]
-    rows = [_course_row(rows) for rows in zip(*(one.rows for one in found), strict=True)]
-    return CourseGradebook(sets=columns, students=rows)
+    whole = totals(found)
+    return CourseGradebook(points=whole.worth, sets=columns, students=[_course_row(one) for one in whole.students])
 
 
 def shown_history(found: History) -> ShownHistory:
@@ -278,10 +281,10 @@ def _cell(cell: Cell) -> ShownCell:
     )  # fmt: skip
 
 
-def _course_row(rows: tuple[Row, ...]) -> CourseRow:
-    cells = [SetCell(points=r.points, share=r.share, taken=r.taken, provisional=r.provisional) for r in rows]
-    points = round(sum(row.points for row in rows), 3)
-    return CourseRow(student=_student(rows[0]), points=points, provisional=any(r.provisional for r in rows), sets=cells)
+def _course_row(one: Total) -> CourseRow:
+    cells = [SetCell(points=r.points, share=r.share, taken=r.taken, provisional=r.provisional) for r in one.rows]
+    provisional = any(row.provisional for row in one.rows)
+    return CourseRow(student=_student(one.rows[0]), points=one.points, provisional=provisional, sets=cells)
 
 
 def _card(seen: Seen) -> ShownCard:

@@ -34,7 +34,7 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
     """Order the publishing of a draft, which is frozen from now on; gives the number of the job.
 
     Raises:
-        Troubled: It has no tasks, or its results would be held back for ever.
+        Troubled: It has no tasks, its results would be held back for ever, or it is a second chance to a draft.
         NotADraft: It is published already, or has changed meanwhile.
         Busy: It is being published.
     """
@@ -42,6 +42,8 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
         raise Troubled([Trouble(0, "empty")])
     if endless(task_set):
         raise Troubled([Trouble(0, "endless")])
+    if await _first_is_a_draft(bench, task_set):
+        raise Troubled([Trouble(0, "early_chance")])
     roster = await bench.sets.students(task_set.course)
     seats = dealing.seats(roster)
     payload = {"task_set": task_set.id, "roster": roster, "seats": seats, "actor": actor}
@@ -50,6 +52,13 @@ async def order(bench: Bench, task_set: TaskSet, actor: str, person: str | None)
     await bench.jobs.start(made, partial(decks.begin, number=task_set.id, revision=task_set.revision))
     bench.engine.wake()
     return made.id
+
+
+async def _first_is_a_draft(bench: Bench, task_set: TaskSet) -> bool:
+    """Whether the set to which this is a second chance is not published: nobody can have done it."""
+    number = task_set.rules.get("second_chance_of")
+    first = await bench.sets.task_set(number) if number else None
+    return first is not None and first.published is None
 
 
 def endless(task_set: TaskSet) -> bool:
