@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from mechanics.members import Beam, Distributed, Force, Load, Moment, Segment, Shaft, ShaftSupport, Support, Torque
+from mechanics.strength.members import (
+    Beam,
+    Distributed,
+    Force,
+    Load,
+    Moment,
+    Segment,
+    Shaft,
+    ShaftSupport,
+    Support,
+    Torque,
+)
 
 CELLS = 24
 numbers = st.integers(-9000, 9000).map(float)

@@ -11,10 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics import link_frames, newton_euler
-from mechanics.chain import Chain
-from mechanics.dh import Row, Vector
-from mechanics.links import LinkMass
+from mechanics.dynamics import newton_euler
+from mechanics.manipulators import link_frames
+from mechanics.manipulators.chain import Chain
+from mechanics.manipulators.dh import Row
+from mechanics.manipulators.links import LinkMass
+from mechanics.vectors import Vector
 from tests.depth import amount
 from tests.mechanics.chains import diagonal
 

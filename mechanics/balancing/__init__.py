@@ -1,0 +1,1 @@
+"""Balancing of rotors and linkages, and the vibration of one mass."""

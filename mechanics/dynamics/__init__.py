@@ -1,0 +1,1 @@
+"""Dynamics: inertia forces, reactions, drives, reduction of a machine to one link."""

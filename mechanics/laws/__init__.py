@@ -1,0 +1,1 @@
+"""Laws of motion: of drives, by finite differences, as transfer functions."""

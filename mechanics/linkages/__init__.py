@@ -1,0 +1,1 @@
+"""Planar linkages: closed forms, and any mechanism as bodies and joints by Newton's method."""

@@ -1,0 +1,1 @@
+"""Serial chains, in the plane and by Denavit-Hartenberg, forwards and backwards."""

@@ -1,0 +1,1 @@
+"""Strength of materials: bars, shafts, beams, sections, stress and strain."""

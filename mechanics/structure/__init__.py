@@ -1,0 +1,1 @@
+"""Structure and mobility: pairs, loops, groups, passive constraints."""

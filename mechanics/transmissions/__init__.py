@@ -1,0 +1,1 @@
+"""Transmissions: gears, screws, joints between shafts, the Geneva drive."""

@@ -1,0 +1,1 @@
+"""Velocities and accelerations of one rigid link, as they are found by drawing."""
