@@ -164,5 +164,5 @@ def test_what_the_command_line_did_is_said_in_the_language_of_the_reader(school:
     entry = Entry(COMMAND_LINE, Action.LINK_MADE, school.people["student"], None, {"purpose": "reset"})
     school.portal.call(school.bench.audit.note, entry)
     page = school.browser("administrator").get(f"/audit?lang={language}").text
-    assert f"<td>{words(language)['audit.actor_command_line']}</td>" in page
-    assert (f"<td>{COMMAND_LINE}</td>" in page) == (language == "en")
+    assert f'<td class="half">{words(language)["audit.actor_command_line"]}</td>' in page
+    assert (f'<td class="half">{COMMAND_LINE}</td>' in page) == (language == "en")

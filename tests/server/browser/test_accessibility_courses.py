@@ -14,6 +14,7 @@ from tests.server.browser import axe
 from tests.server.browser.conftest import watched
 from tests.server.browser.walking import follow, width
 from tests.server.conftest import Live
+from tests.server.regrading.test_api import judged_otherwise
 from tests.server.school import CODE
 from tests.server.sets.conftest import EXERCISE, Course, made, moment
 from tests.server.stores import lay
@@ -44,7 +45,7 @@ def filled(course: Course) -> dict[str, str]:
     link = lecturer.post(f"{place}/members/{school.people['leaver']}/link").json()["link"]
     draft, number = course.built(title="Draft of set 5", due=moment(days=7), items=[TASK] * 2), course.published()
     variant = course.variant(number)
-    course.hand_in(variant, {"l3": "1 mm"})
+    judged_otherwise(course, course.hand_in(variant, {"l3": "1 mm"}).json()["receipt"]["id"])
     course.student.post(f"/api/v1/variants/{variant}/problems", json={"text": "The figure and the text disagree."})
     lecturer.post("/api/v1/tokens", json={"name": "nightly grading"})
     home = f"/courses/{school.course}"
@@ -103,6 +104,12 @@ def dry_run(page: Page) -> None:
     follow(page, "button[value=look]")
 
 
+def changes(page: Page) -> None:
+    dry_run(page)
+    follow(page, "a[href$='/regrade']:visible")
+    page.wait_for_selector("tr.begins")
+
+
 def refused_sign_in(page: Page) -> None:
     page.fill("#login", "student")
     page.fill("#password", "wrong")
@@ -128,6 +135,7 @@ STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
     "results": ("lecturer", "results", None),
     "item analysis": ("lecturer", "analysis", None),
     "regrade": ("lecturer", "regrade", None),
+    "changes of a regrade": ("lecturer", "regrade", changes),
     "job": ("lecturer", "regrade", dry_run),
     "results of a course": ("lecturer", "class", None),
     "card of a student": ("student", "card", None),
@@ -172,3 +180,25 @@ def test_the_points_of_a_set_of_one_task_are_seen_on_a_phone(page: Page, campus:
     page.goto(campus.live.url + campus.paths["results"])
     points = page.locator("th.num", has_text="Points").bounding_box()
     assert points is not None and points["x"] + points["width"] <= 360
+
+
+@pytest.mark.parametrize(
+    "state",
+    [
+        "roster",
+        "audit log",
+        "account",
+        "course",
+        "work of a student",
+        "item analysis",
+        "changes of a regrade",
+        "accounts",
+    ],
+)
+def test_no_wide_table_scrolls_sideways_on_a_phone(page: Page, campus: Campus, state: str) -> None:
+    page.set_viewport_size({"width": 360, "height": 740})
+    arrive(page, campus, state)
+    widths = page.locator(".scroll:has(> .stacks)").evaluate_all(
+        "all => all.map((one) => [one.scrollWidth, one.clientWidth])"
+    )
+    assert widths and all(whole <= seen for whole, seen in widths), widths

@@ -134,4 +134,4 @@ def test_a_choice_is_shown_by_its_words_in_the_work_of_a_student(course: Course)
     number = course.published(title="Chosen", item={"exercise": "gear_train"})
     course.hand_in(course.variant(number), {"sense": "same"})
     page = course.lecturer.get(f"/sets/{number}/students/{course.school.people['student']}").text
-    assert '<td class="code wrap-anywhere">in the same sense as the input shaft</td>' in page
+    assert '<td class="code wrap-anywhere" data-label="Typed">in the same sense as the input shaft</td>' in page

@@ -19,7 +19,12 @@ def handed_in(course: Course) -> str:
     variant = course.variant(number)
     reply = course.hand_in(variant, dict(course.card(number).reference["texts"]))
     assert reply.json()["score"] == 1.0
-    receipt = reply.json()["receipt"]["id"]
+    judged_otherwise(course, reply.json()["receipt"]["id"])
+    return number
+
+
+def judged_otherwise(course: Course, receipt: str) -> None:
+    """Replace the stored grade of a submission by one of judges who took a right answer for wrong."""
     wrong = {"code": "wrong", "score": 0.0, "details": None, "remarks": None}
     store = engine(course.school.bench.settings.store_url, connections=1)
     with store.begin() as connection:
@@ -27,7 +32,6 @@ def handed_in(course: Course) -> str:
         older = grade | {"score": 0.5, "verdicts": grade["verdicts"] | {"l3": grade["verdicts"]["l3"] | wrong}}
         connection.execute(update(grades).where(grades.c.submission == receipt).values(grade=older))
     store.dispose()
-    return number
 
 
 def ended(course: Course, job: str) -> Any:
@@ -72,10 +76,13 @@ def test_a_wrong_reference_is_shown_beside_the_new_one_before_it_is_replaced(cou
     }  # fmt: skip
     page = course.lecturer.get(f"{path}?lang=en").text
     assert (
-        f'<th scope="row" class="code">{card.code}</th><td>1</td><td>Position of the slider from the projection' in page
+        f'scope="row" class="code half">{card.code}</th><td class="half" data-label="Task">1</td>'
+        "<td>Position of the slider from the projection"
+        in page
         and str(2 * right) in page
     )
     assert '<input type="hidden" name="recompute_references" value="yes">' in page and "Nothing changes" not in page
+    assert 'value="regrade">Compute references anew: 1<' in page
     wish = {"recompute_references": True}
     ended(course, course.lecturer.post(f"/api/v1/task-sets/{number}/regrade", json=wish).json()["id"])
     assert course.card(number).reference == card.reference
@@ -109,7 +116,7 @@ def test_the_page_shows_every_change_and_both_grades(course: Course, handed_in: 
     page = course.lecturer.get(f"{path}?lang=en").text
     assert "What would change" in page and "Student" in page and "<td>Position of the slider l3</td>" in page
     assert 'name="then" value="regrade">Change results: 1<' in page
-    assert "<td>wrong, 0</td><td>right, 1</td>" in page
+    assert 'data-label="Before">wrong, 0</td><td class="half" data-label="Now">right, 1</td>' in page
     crumb = page.split('<p class="crumb">')[1].split("</p>")[0]
     assert crumb.index('href="/courses/') < crumb.index(f'href="/sets/{handed_in}"')
     assert f'href="{path}"' in course.lecturer.get(f"/sets/{handed_in}").text
