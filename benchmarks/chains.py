@@ -17,13 +17,11 @@ from random import Random
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from mechanics.dynamics import lagrange, newton_euler
-from mechanics.errors import AssemblyError, SingularError
-from mechanics.manipulators import chain, link_frames, rod_groups, transform
-from mechanics.manipulators.chain import Chain
-from mechanics.manipulators.dh import Row
-from mechanics.manipulators.links import LinkMass
-from mechanics.vectors import Vector
+from mechanics import chain, lagrange, link_frames, newton_euler, rod_groups, transform  # noqa: E402
+from mechanics.chain import Chain  # noqa: E402
+from mechanics.dh import Row, Vector  # noqa: E402
+from mechanics.errors import AssemblyError, SingularError  # noqa: E402
+from mechanics.links import LinkMass  # noqa: E402
 
 GRAVITY: Vector = (0.0, 0.0, -9.81)
 

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterator
 from math import pi
 from random import Random
 
-from mechanics.linkages import four_bar, planar, six_bar, slider_crank, two_loop
-from mechanics.linkages.cycle import follow
-from mechanics.linkages.newton_linkages import four_bar_joints
+from mechanics import four_bar, planar, six_bar, slider_crank, two_loop
+from mechanics.cycle import follow
+from mechanics.newton_linkages import four_bar_joints
 from tests.mechanics import hostile, hostile_linkages, judged_machines
 from tests.mechanics.examples.reading import EXAMPLES, inputs, unlike
 from tests.mechanics.examples.test_examples import SOLVED

@@ -14,27 +14,23 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[0] = str(ROOT)  # else this file would stand before the room it measures
 
-import argparse
-import gc
-import subprocess
-import time
-from collections.abc import Iterator
-from importlib import import_module
-from itertools import chain
-from statistics import median
+import argparse  # noqa: E402
+import gc  # noqa: E402
+import subprocess  # noqa: E402
+import time  # noqa: E402
+from collections.abc import Iterator  # noqa: E402
+from importlib import import_module  # noqa: E402
+from itertools import chain  # noqa: E402
+from statistics import median  # noqa: E402
 
-from benchmarks import laws
-from benchmarks.solvers.row import Row, Task
+from benchmarks import laws  # noqa: E402
+from benchmarks.solvers.row import Row, Task  # noqa: E402
 
 CHAPTERS = sorted(
     path.stem for path in (ROOT / "benchmarks/solvers").glob("*.py") if path.stem not in ("__init__", "row")
 )
 ROUNDS, ROUND, LONGEST = 15, 0.01, 4.0  # rounds, seconds a round, seconds after which no further round starts
-MODULES = sorted(
-    ".".join(path.relative_to(ROOT).with_suffix("").parts)
-    for path in (ROOT / "mechanics").rglob("*.py")
-    if path.stem != "__init__" and path.parent.name != "wire"
-)
+MODULES = sorted(path.stem for path in (ROOT / "mechanics").glob("*.py") if path.stem != "__init__")
 IMPORT = "import time; t = time.process_time(); {}; print(time.process_time() - t); import sys; print(*sys.modules)"
 
 
@@ -85,7 +81,7 @@ def measured(row: Row) -> Iterator[str]:
 
 def import_time() -> str:
     """Time the import of the whole room in a fresh Python, and name what heavy came with it."""
-    code = IMPORT.format("; ".join(f"import {module}" for module in MODULES))
+    code = IMPORT.format("; ".join(f"import mechanics.{module}" for module in MODULES))
     times, loaded = [], ""
     for _ in range(ROUNDS):
         done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)

@@ -12,11 +12,11 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse
-import time
-from random import Random
+import argparse  # noqa: E402
+import time  # noqa: E402
+from random import Random  # noqa: E402
 
-from tests.mechanics.hostile import KINDS, attack, exact_error, random_beam
+from tests.mechanics.hostile import KINDS, attack, exact_error, random_beam  # noqa: E402
 
 LIMIT = 1e-9
 

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from benchmarks.solvers.row import Row, Task
-from mechanics.linkages import four_bar, inverted_slider, planar, six_bar, slider_crank
-from mechanics.linkages.class_iii import Unit, assemblies
-from mechanics.linkages.newton_linkages import four_bar_joints, four_bar_motion
-from mechanics.manipulators import planar_chain
-from mechanics.velocities import velocity_plan
+from mechanics import four_bar, inverted_slider, manipulator, planar, six_bar, slider_crank, velocity_plan
+from mechanics.class_iii import Unit, assemblies
+from mechanics.newton_linkages import four_bar_joints, four_bar_motion
 
 BARS = (0.1, 0.26, 0.22, 0.3)
 DRIVE = (1.0, 12.0, -8.0)  # angle, angular velocity, angular acceleration of the crank
@@ -56,7 +54,7 @@ ROWS = [
     Row("four-bar with a coupler point, by name", lambda: four_bar.solve(*BARS, *DRIVE, coupler_point=(0.1, 0.05))),
     Row("inverted slider, by name", lambda: inverted_slider.solve(0.15, *DRIVE, (0.0, -0.4), 0.6)),
     Row("six-bar, by name", lambda: six_bar.solve(*BARS, 1.0, (0.4, 0.2), 0.3, 0.28, 12.0, -8.0)),
-    Row("manipulator RPR, by name", lambda: planar_chain.solve("RPR", (0.5, 0.2, 0.8), (0.5, 0.4), (1, 0.1, -0.5))),
+    Row("manipulator RPR, by name", lambda: manipulator.solve("RPR", (0.5, 0.2, 0.8), (0.5, 0.4), (1, 0.1, -0.5))),
     Row(
         "any planar mechanism: a four-bar from the position before",
         lambda: planar.solve(four_bar_joints(*BARS, *DRIVE), NEAR),

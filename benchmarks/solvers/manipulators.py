@@ -6,12 +6,10 @@ from math import pi
 from typing import Any
 
 from benchmarks.solvers.row import Row, Task
-from mechanics.accuracy import chain_error
-from mechanics.dynamics import kinetostatics, newton_euler, reduction
-from mechanics.laws.motion_law import drive_law
-from mechanics.manipulators import chain, link_frames, rod_groups
-from mechanics.manipulators import dh as tables
-from mechanics.manipulators.links import LinkMass
+from mechanics import accuracy, chain, kinetostatics, link_frames, newton_euler, reduction, rod_groups
+from mechanics import dh as tables
+from mechanics.links import LinkMass
+from mechanics.motion_law import drive_law
 
 SIX = tuple(tables.Row("R", 0.1 * i, 0.1 * i, 0.2 + 0.05 * i, 0.1 - pi / 2 * (i % 2)) for i in range(6))
 ARM, Q = chain.Chain(SIX), (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)
@@ -85,7 +83,7 @@ ROWS = [
     }),
     Row("inverse task of the RRR group, all four branches", lambda: rod_groups.inverse("RRR", GROUP, M)),
     Row("position error of the RRR group by vectors",
-        lambda: chain_error.by_vectors(GROUP_CHAIN, GROUP_Q, (0.002, -0.001, 0.0015), POINT)),
+        lambda: accuracy.by_vectors(GROUP_CHAIN, GROUP_Q, (0.002, -0.001, 0.0015), POINT)),
     Row("force analysis of the slider-crank", lambda: kinetostatics.solve(ENGINE, 0.7, 20.0, 50.0)),
     Row("slider-crank reduced to its crank",
         lambda: reduction.slider_crank_machine(0.1, 0.3, 0.7, m2=0.9, m3=1.5, J1=0.002, J2=0.007, F3_x=-300.0)),

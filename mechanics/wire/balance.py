@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from mechanics.balancing import counterweights, rotor
-from mechanics.balancing.counterweights import FourBarLinks
-from mechanics.balancing.rotor import Plane, PointMass
+from mechanics import balancing
+from mechanics.balancing import FourBarLinks, Plane, PointMass
 from mechanics.wire.fields import ListOf, Number, Record, Tagged
 
 LENGTHS = ("l1", "l2", "l3", "l4")
@@ -90,7 +89,7 @@ def solve(request: Mapping[str, Any]) -> dict[str, Any]:
     """Balance the rotor or the four-bar; raises ValueError."""
     if request["kind"] == "rotor":
         masses = [PointMass(**mass) for mass in request["masses"]]
-        return asdict(rotor.balance(masses, [Plane(**plane) for plane in request["planes"]]))
+        return asdict(balancing.balance(masses, [Plane(**plane) for plane in request["planes"]]))
     links = FourBarLinks(**{name: request[name] for name in (*LENGTHS, *MASSES, *CENTRES)})
-    found = counterweights.four_bar(links, request["e1"], request["e3"])
+    found = balancing.four_bar(links, request["e1"], request["e3"])
     return {"m1k": found.m1k, "m2k": found.m2k, "x_S": found.x_S, "y_S": found.y_S}

@@ -7,11 +7,10 @@ from dataclasses import asdict, dataclass
 from math import pi
 from typing import Any, get_args
 
-from mechanics.dynamics import newton_euler
-from mechanics.manipulators import chain
-from mechanics.manipulators.chain import Chain
-from mechanics.manipulators.dh import Convention, JointType, Row
-from mechanics.manipulators.links import LinkMass, check_inertia
+from mechanics import chain, newton_euler
+from mechanics.chain import Chain
+from mechanics.dh import Convention, JointType, Row
+from mechanics.links import LinkMass, check_inertia
 from mechanics.wire.fields import NEEDED, Choice, ListOf, Number, Record
 from mechanics.wire.refusal import Refusal
 

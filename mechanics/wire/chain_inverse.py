@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.manipulators import rod_groups
+from mechanics import rod_groups
 from mechanics.wire.chain import FARTHEST
 from mechanics.wire.fields import ListOf, Number, Record, Tagged
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.linkages.class_iii import BRANCHES, DEAD_NAME, Assembly, Unit, assemblies, assembly, constraint, newton
+from mechanics.class_iii import BRANCHES, DEAD_NAME, Assembly, Unit, assemblies, assembly, constraint, newton
 from mechanics.wire.fields import ListOf, Number, Record, Whole
 from mechanics.wire.place import Place
 from mechanics.wire.refusal import Refusal

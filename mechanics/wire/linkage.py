@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, get_args
 
-from mechanics.linkages import four_bar, inverted_slider, six_bar, slider_crank, two_loop, variable_length_link
-from mechanics.manipulators import planar_chain
-from mechanics.motion import LinkageMotion
-from mechanics.transmissions import geneva, hooke_joint
+from mechanics import (
+    four_bar,
+    geneva,
+    hooke_joint,
+    inverted_slider,
+    manipulator,
+    six_bar,
+    slider_crank,
+    two_loop,
+    variable_length_link,
+)
+from mechanics.linkage import LinkageMotion
 from mechanics.wire import class_iii
 from mechanics.wire.fields import Choice, Kind, ListOf, Number, Record, Tagged, Text, Whole
 from mechanics.wire.place import Place
@@ -91,7 +99,7 @@ REQUEST = Tagged(
                 "qdd": _rates_of_joints("second rates of q; none are zeros"),
                 "lengths": ListOf("fixed link behind each R, in order", Number("", "m"), (), most=LONGEST_WORD),
                 "delta": Number("direction of a slide from the running direction", "rad", default=0.0),
-                "angles": Choice("what an R is measured from", get_args(planar_chain.Angles), "relative"),
+                "angles": Choice("what an R is measured from", get_args(manipulator.Angles), "relative"),
             },
         ),
         "six_bar": Record(
@@ -177,7 +185,7 @@ KINDS: dict[str, Callable[[dict[str, Any]], LinkageMotion]] = {
     "four_bar": lambda request: four_bar.solve(**_coupler(request)),
     "inverted_slider": lambda request: inverted_slider.solve(**request),
     "variable_length_link": lambda request: variable_length_link.solve(**request),
-    "manipulator": lambda request: planar_chain.solve(**request),
+    "manipulator": lambda request: manipulator.solve(**request),
     "six_bar": _six_bar,
     "two_loop": lambda request: two_loop.solve(**request),
     "hooke_joint": lambda request: hooke_joint.solve(**request),

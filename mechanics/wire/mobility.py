@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.structure.counting import CLASSES, spatial_mobility
-from mechanics.structure.mobility import PLANAR, Joint, Mobility, plane, space
+from mechanics.mobility import PLANAR, Joint, Mobility, plane, space
+from mechanics.structure import CLASSES, spatial_mobility
 from mechanics.wire.fields import Choice, ListOf, Number, Record, Tagged, Text, Whole
 from mechanics.wire.refusal import Refusal
 

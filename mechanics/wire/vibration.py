@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.balancing import vibration
-from mechanics.balancing.vibration import Oscillator
+from mechanics import vibration
+from mechanics.vibration import Oscillator
 from mechanics.wire.fields import Number, Record
 from mechanics.wire.refusal import Refusal
 

@@ -11,9 +11,21 @@ from types import FunctionType, ModuleType
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "reference" / "mechanics.md"
-ROOM = ROOT / "mechanics"
+CHAPTERS = {
+    "VP": "Linkages by vector polygons",
+    "VM": "Velocity and acceleration methods",
+    "HC": "Mechanisms of a higher class",
+    "STR": "Structure and mobility",
+    "DH": "Manipulators",
+    "AC": "Accuracy",
+    "ML": "Motion laws",
+    "TR": "Transmissions",
+    "DY": "Dynamics",
+    "BV": "Balancing and vibration",
+    "SM": "Strength of materials",
+}
 ENTRY = r"\((?:SI; )?(?:domain )?([A-Z]+-\d[^)]*)\)"  # of the domain, named in brackets
-SHARED = "What the chapters share."
+SHARED = "Shared by the solvers"
 HEAD = """# The mechanics room
 
 This page is written from the docstrings of `mechanics/` by `uv run python -m tests.docs.mechanics_reference`; a test
@@ -21,32 +33,25 @@ compares the two. SI units, angles in radians; each module states its sign conve
 is raised as a `ValueError` that names the value (`mechanics.errors`). The same solvers without Python:
 [solvers.md](solvers.md).
 
-A folder holds a chapter, as in `exercises/`; no two modules share a name. To find something, search this page for the
-thing itself: deflection, planetary, Coriolis. The first table has a row a module; below it, each module has a row a
-function and a row for what a class can tell: what it is, and the source of its formula.
+To find something, search this page for the thing itself: deflection, planetary, Coriolis. The first table has a row a
+module; below it, each module has a row a function and a row for what a class can tell: what it is, and the source of
+its formula.
 """
 
 
 def page() -> str:
     """Give the whole page."""
-    sections = [line for folder in _folders() for line in _section(folder)]
-    return "\n".join([HEAD, *_index(), *sections]).rstrip() + "\n"
+    grouped: dict[str, list[ModuleType]] = {title: [] for title in (*CHAPTERS.values(), SHARED)}
+    for module in modules():
+        grouped[_chapter(module)].append(module)
+    sections = [line for title, found in grouped.items() if found for line in _section(title, found)]
+    return "\n".join([HEAD, *_index(grouped), *sections]).rstrip() + "\n"
 
 
 def modules() -> list[ModuleType]:
-    """Give every module of the room, folder by folder; those on the wire have a page of their own."""
-    return [module for folder in _folders() for module in _within(folder)]
-
-
-def _folders() -> list[str]:
-    """Name the folders of the room as they are imported, what they share last."""
-    found = sorted(path.parent.name for path in ROOM.glob("*/__init__.py") if path.parent.name != "wire")
-    return [*(f"mechanics.{name}" for name in found), "mechanics"]
-
-
-def _within(folder: str) -> list[ModuleType]:
-    paths = sorted((ROOT / folder.replace(".", "/")).glob("*.py"))
-    return [import_module(f"{folder}.{path.stem}") for path in paths if path.stem != "__init__"]
+    """Give every module of the room itself; those on the wire have a page of their own."""
+    names = sorted(path.stem for path in (ROOT / "mechanics").glob("*.py") if path.stem != "__init__")
+    return [import_module(f"mechanics.{name}") for name in names]
 
 
 def functions(module: ModuleType) -> list[Callable[..., object]]:
@@ -70,16 +75,16 @@ def members(module: ModuleType) -> dict[str, FunctionType]:
     return found
 
 
-def _index() -> Iterator[str]:
+def _index(grouped: dict[str, list[ModuleType]]) -> Iterator[str]:
     yield from ("| what | module |", "|---|---|")
-    yield from (f"| {_cell(_first(module))} | [{_name(module)}](#{_name(module)}) |" for module in modules())
+    for found in grouped.values():
+        yield from (f"| {_cell(_first(module))} | [{_name(module)}](#{_name(module)}) |" for module in found)
     yield ""
 
 
-def _section(folder: str) -> Iterator[str]:
-    told = SHARED if folder == "mechanics" else _line(import_module(folder).__doc__)
-    yield from (f"## {folder.replace('.', '/')}/", "", told, "")
-    for module in _within(folder):
+def _section(title: str, found: list[ModuleType]) -> Iterator[str]:
+    yield from (f"## {title}", "")
+    for module in found:
         yield from (f"### {_name(module)}", "", " ".join((module.__doc__ or "").split()), "")
         if rows := {one.__name__: one for one in functions(module)} | members(module):
             yield from ("| function | what | source |", "|---|---|---|")
@@ -87,8 +92,14 @@ def _section(folder: str) -> Iterator[str]:
             yield ""
 
 
+def _chapter(module: ModuleType) -> str:
+    """Tell the chapter by the domain entry that the module's docstring names first."""
+    found = re.search(rf"\b({'|'.join(CHAPTERS)})-\d", module.__doc__ or "")
+    return CHAPTERS[found[1]] if found else SHARED
+
+
 def _name(module: ModuleType) -> str:
-    return module.__name__.rpartition(".")[2]
+    return module.__name__.removeprefix("mechanics.")
 
 
 def _first(module: ModuleType) -> str:

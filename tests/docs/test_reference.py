@@ -36,9 +36,8 @@ def test_the_page_on_files_names_the_limits_and_the_outcomes() -> None:
 
 
 def test_each_public_function_of_the_mechanics_room_says_what_it_does() -> None:
-    page, modules = mechanics_reference.PAGE.read_text("utf-8"), mechanics_reference.modules()
-    assert len({module.__name__.rpartition(".")[2] for module in modules}) == len(modules)
-    for module in modules:
+    page = mechanics_reference.PAGE.read_text("utf-8")
+    for module in mechanics_reference.modules():
         assert module.__doc__, module.__name__
         for function in mechanics_reference.functions(module):
             assert function.__doc__ and f"| `{function.__name__}` |" in page, function.__qualname__
@@ -49,7 +48,7 @@ def test_each_public_function_of_the_mechanics_room_says_what_it_does() -> None:
     [
         ("deflection beam", "beam"),
         ("ratio planetary", "willis"),
-        ("counterweight four-bar", "counterweights"),
+        ("counterweight four-bar", "balancing"),
         ("jacobian", "chain"),
         ("passive constraints", "mobility"),
         ("geneva", "geneva"),
@@ -61,7 +60,7 @@ def test_each_public_function_of_the_mechanics_room_says_what_it_does() -> None:
         ("base excitation", "vibration"),
         ("torsion shaft", "shaft"),
         ("coriolis acceleration", "inverted_slider"),
-        ("coriolis acceleration", "planar_chain"),
+        ("coriolis acceleration", "manipulator"),
         ("von mises", "stress"),
         ("second moment area", "section"),
         ("bending moment", "beam"),

@@ -16,8 +16,8 @@ from graders.kinds.dh_table import Entries, other_frames
 from graders.language import Symbols, parse
 from graders.language.text import text_of
 from graders.language.tree import Grid
-from mechanics.manipulators import transform
-from mechanics.vectors import Matrix
+from mechanics import transform
+from mechanics.dh import Matrix
 from tests.depth import amount
 
 GIVENS = Givens(0.5, 0.1, 0.6, 1.1, 0.8, "down", "left")  # DH-13

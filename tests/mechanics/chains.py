@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 from hypothesis import strategies as st
 
-from mechanics.manipulators.dh import Convention, Row
-from mechanics.manipulators.links import LinkMass
-from mechanics.vectors import Matrix, Vector
+from mechanics.dh import Convention, Matrix, Row, Vector
+from mechanics.links import LinkMass
 
 numbers = st.floats(-4, 4)
 lengths = st.floats(-1, 1)

@@ -15,12 +15,11 @@ from math import factorial
 from random import Random
 from typing import TypeAlias
 
-from mechanics import linear
-from mechanics.strength import bar, beam, shaft
-from mechanics.strength.bar import AxialForce, Bar, BarSegment
-from mechanics.strength.beam import BeamResult
-from mechanics.strength.members import Beam, Distributed, Force, Load, Moment, Segment, Shaft, Support, Torque
-from mechanics.strength.section import Ring
+from mechanics import bar, beam, linear, shaft
+from mechanics.bar import AxialForce, Bar, BarSegment
+from mechanics.beam import BeamResult
+from mechanics.members import Beam, Distributed, Force, Load, Moment, Segment, Shaft, Support, Torque
+from mechanics.section import Ring
 
 CELLS = 24
 

@@ -14,11 +14,11 @@ from math import pi
 from random import Random
 from typing import NamedTuple
 
-from mechanics.errors import AssemblyError, SingularError
-from mechanics.linkages import (
+from mechanics import (
     class_iii,
     four_bar,
     inverted_slider,
+    manipulator,
     newton_linkages,
     planar,
     six_bar,
@@ -26,8 +26,8 @@ from mechanics.linkages import (
     two_loop,
     variable_length_link,
 )
-from mechanics.manipulators import planar_chain
-from mechanics.motion import LinkageMotion, principal
+from mechanics.errors import AssemblyError, SingularError
+from mechanics.linkage import LinkageMotion, principal
 
 NEAR = 1e-6  # measure and relative gap that a refusal may be wrong by
 
@@ -217,7 +217,7 @@ def _manipulator(rng: Random) -> float:
     word = "".join(rng.choice("RP") for _ in range(rng.randint(1, 8)))
     q, qd, qdd = ([rng.uniform(-3, 3) for _ in word] for _ in range(3))
     lengths, delta = [rng.uniform(0, 2) for _ in range(word.count("R"))], rng.uniform(-3, 3)
-    motion = planar_chain.solve(word, q, lengths, qd, qdd, delta)
+    motion = manipulator.solve(word, q, lengths, qd, qdd, delta)
     sides, direction = [], (0.0, 0.0, 0.0)
     links = iter(lengths)
     for joint, *values in zip(word, q, qd, qdd, strict=True):

@@ -8,9 +8,8 @@ from typing import TypeAlias
 
 import numpy as np
 
+from mechanics import gear_train, mobility
 from mechanics.errors import TrainError, UndeterminedError
-from mechanics.structure import mobility
-from mechanics.transmissions import gear_train
 from tests.mechanics import machines
 
 Judge: TypeAlias = Callable[[Random], str]

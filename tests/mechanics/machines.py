@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import cos, pi, sin
 from random import Random
 
-from mechanics.structure.mobility import Joint
-from mechanics.transmissions.bevel_differential import Differential
-from mechanics.transmissions.gear_pair import MeshType
-from mechanics.transmissions.gear_train import Mesh, Train
+from mechanics.bevel_differential import Differential
+from mechanics.gear_pair import MeshType
+from mechanics.gear_train import Mesh, Train
+from mechanics.mobility import Joint
 
 KINDS: tuple[MeshType, MeshType] = ("external", "internal")
 NEAR = (0.0, 1e-12, 1e-9, 1e-6, 1e-3)  # m, by which a special position is missed

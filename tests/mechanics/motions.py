@@ -8,8 +8,8 @@ from typing import Any
 
 from pytest import approx
 
-from mechanics.linkages.planar import Marker, Motion
-from mechanics.motion import LinkageMotion
+from mechanics.linkage import LinkageMotion
+from mechanics.planar import Marker, Motion
 
 
 def off_slopes(at: Callable[[float], LinkageMotion], step: float = 1e-5) -> list[str]:

@@ -4,18 +4,7 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
-from mechanics.strength.members import (
-    Beam,
-    Distributed,
-    Force,
-    Load,
-    Moment,
-    Segment,
-    Shaft,
-    ShaftSupport,
-    Support,
-    Torque,
-)
+from mechanics.members import Beam, Distributed, Force, Load, Moment, Segment, Shaft, ShaftSupport, Support, Torque
 
 CELLS = 24
 numbers = st.integers(-9000, 9000).map(float)

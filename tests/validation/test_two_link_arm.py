@@ -11,12 +11,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.dynamics import newton_euler
-from mechanics.manipulators import link_frames
-from mechanics.manipulators.chain import Chain
-from mechanics.manipulators.dh import Row
-from mechanics.manipulators.links import LinkMass
-from mechanics.vectors import Vector
+from mechanics import link_frames, newton_euler
+from mechanics.chain import Chain
+from mechanics.dh import Row, Vector
+from mechanics.links import LinkMass
 from tests.depth import amount
 from tests.mechanics.chains import diagonal
 

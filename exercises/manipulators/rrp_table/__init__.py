@@ -15,9 +15,8 @@ from exercises.givens import numbers
 from exercises.manipulators._tables import MODIFIED, PAIR, motion, pairs
 from graders import DHTable, Matrix, Quantity, States
 from graders.chain.motion import Motion
-from mechanics.manipulators import rod_groups, transform
-from mechanics.manipulators.dh import Row
-from mechanics.vectors import Vector
+from mechanics import rod_groups, transform
+from mechanics.dh import Row, Vector
 
 LENGTHS = range(300, 801, 20)  # mm
 OFFSETS = range(80, 201, 10)  # mm

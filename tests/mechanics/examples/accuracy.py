@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from math import hypot, radians
 
-from mechanics.accuracy import chain_error, slider_error
-from mechanics.manipulators import rod_groups
-from mechanics.manipulators.chain import Chain
+from mechanics import accuracy, rod_groups
+from mechanics.chain import Chain
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 
@@ -20,7 +19,7 @@ def _joints(given: Inputs) -> tuple[float, float, float]:
 
 def by_partial_derivatives(given: Inputs) -> Outputs:
     lengths, q = _lengths(given), _joints(given)
-    found = chain_error.linear(rod_groups.partials("RRR", lengths, q), given["dq"])
+    found = accuracy.linear(rod_groups.partials("RRR", lengths, q), given["dq"])
     there = rod_groups.direct("RRR", lengths, [x + e for x, e in zip(q, given["dq"], strict=True)])
     here = rod_groups.direct("RRR", lengths, q)
     dx, dy, dz = found.dr
@@ -37,25 +36,25 @@ def by_partial_derivatives(given: Inputs) -> Outputs:
 def by_matrices(given: Inputs) -> Outputs:
     rows, point = rod_groups.table("RRR", _lengths(given))
     q, dq = _joints(given), given["dq"]
-    return {"dT": chain_error.pose_error(rows, q, dq), "dr": chain_error.by_matrices(rows, q, dq, point)}
+    return {"dT": accuracy.pose_error(rows, q, dq), "dr": accuracy.by_matrices(rows, q, dq, point)}
 
 
 def by_vectors(given: Inputs) -> Outputs:
     rows, point = rod_groups.table("RRR", _lengths(given))
-    found = chain_error.by_vectors(Chain(rows), _joints(given), given["dq"], point)
+    found = accuracy.by_vectors(Chain(rows), _joints(given), given["dq"], point)
     one, two, three = found.terms
     return {"term1": one, "term2": two, "term3": three, "dr": found.dr}
 
 
 def angular(given: Inputs) -> Outputs:
     rows, _ = rod_groups.table("RRR", _lengths(given))
-    found = chain_error.angular(Chain(rows), _joints(given), given["dq"])
+    found = accuracy.angular(Chain(rows), _joints(given), given["dq"])
     return {"dphi_base": found.base, "dphi_gripper": found.gripper, "angle": found.angle}
 
 
 def slider(given: Inputs) -> Outputs:
     errors = given["dl1"], given["dl2"], given["dalpha1"]
-    found = slider_error.slider(given["l1"], given["l2"], radians(given["alpha1_deg"]), *errors)
+    found = accuracy.slider(given["l1"], given["l2"], radians(given["alpha1_deg"]), *errors)
     return {name: getattr(found, name) for name in ("c_l1", "c_l2", "c_alpha", "dl3", "worst", "rms")}
 
 

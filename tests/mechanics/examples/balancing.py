@@ -5,23 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees, radians
 
-from mechanics.balancing import counterweights, substitution, vibration
-from mechanics.balancing.counterweights import FourBarLinks
-from mechanics.balancing.rotor import Plane, PointMass, balance, shared_by_planes, unbalance
-from mechanics.dynamics import inertia_force
+from mechanics import balancing, vibration
+from mechanics.balancing import FourBarLinks, Plane, PointMass, balance
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 GRAVITY = 9.81  # m/s^2
 
 
 def inertia_forces(given: Inputs) -> Outputs:
-    force, moment = inertia_force.of_point_masses(given["m"], given["r"], given["a"])
+    force, moment = balancing.inertia_forces(given["m"], given["r"], given["a"])
     return {"F": list(force), "M_O": list(moment)}
 
 
 def rotor(given: Inputs) -> Outputs:
-    disc = unbalance([PointMass(given["m"], given["e_S"], 0.0)], given["omega"])
-    point = unbalance([PointMass(given["m_point"], given["r"], 0.0, given["l"])], given["omega"])
+    disc = balancing.unbalance([PointMass(given["m"], given["e_S"], 0.0)], given["omega"])
+    point = balancing.unbalance([PointMass(given["m_point"], given["r"], 0.0, given["l"])], given["omega"])
     return {
         "D_st": abs(disc.static),
         "F": disc.force,
@@ -39,7 +37,7 @@ def disc_in_one_plane(given: Inputs) -> Outputs:
 
 
 def disc_between_two_planes(given: Inputs) -> Outputs:
-    one, two = shared_by_planes(given["m"] * given["r_S"], given["l_I"], given["l_II"])
+    one, two = balancing.shared_by_planes(given["m"] * given["r_S"], given["l_I"], given["l_II"])
     return {"m_I": one / given["r_I"], "m_II": two / given["r_II"]}
 
 
@@ -70,7 +68,7 @@ def _vector(unbalance: complex) -> Sequence[float]:
 
 
 def link_as_point_masses(given: Inputs) -> Outputs:
-    two, three = substitution.two_points(**given), substitution.three_points(**given)
+    two, three = balancing.two_points(**given), balancing.three_points(**given)
     return {
         "m_A": two.m_A,
         "m_B": two.m_B,
@@ -85,7 +83,7 @@ def link_as_point_masses(given: Inputs) -> Outputs:
 def four_bar(given: Inputs) -> Outputs:
     names = ("l1", "l2", "l3", "l4", "m1", "m2", "m3", "AS1", "BS2", "DS3")
     links = FourBarLinks(*(given[name] for name in names))
-    found = counterweights.four_bar(links, given["AE"], given["DF"])
+    found = balancing.four_bar(links, given["AE"], given["DF"])
     (m1A, m1B), (m2B, m2C), (m3D, m3C) = links.shared()
     return {
         "m1A": m1A,

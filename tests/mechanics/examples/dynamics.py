@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import radians
 
-from mechanics.dynamics import inertia_force, kinetostatics, newton_euler, reactions, reduction
-from mechanics.dynamics.reduction import Coordinate, Reduced
-from mechanics.laws.transfer import Transfer, of_unit_motion
-from mechanics.linkages import slider_crank as mechanism
-from mechanics.manipulators import link_frames, rod_groups
-from mechanics.manipulators.chain import Chain
-from mechanics.manipulators.dh import Row
-from mechanics.manipulators.links import Drives, LinkMass
+from mechanics import inertia_force, kinetostatics, link_frames, newton_euler, reactions, reduction, rod_groups
+from mechanics import slider_crank as mechanism
+from mechanics.chain import Chain
+from mechanics.dh import Row
+from mechanics.links import Drives, LinkMass
+from mechanics.reduction import Coordinate, Reduced
+from mechanics.transfer import Transfer, of_unit_motion
 from tests.mechanics.chains import diagonal
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 

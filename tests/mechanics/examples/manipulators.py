@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from math import radians
 
-from mechanics.manipulators import chain, link_frames, rod_groups, transform
-from mechanics.manipulators.chain import Chain
-from mechanics.manipulators.dh import Row
-from mechanics.manipulators.transform import acceleration_matrix, moved_point, velocity_matrix
-from mechanics.vectors import Matrix
+from mechanics import chain, link_frames, rod_groups, transform
+from mechanics.chain import Chain
+from mechanics.dh import Matrix, Row
+from mechanics.transform import acceleration_matrix, moved_point, velocity_matrix
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 WORDS = (*rod_groups.GROUPS,)  # in the order of the groups, 1 to 6

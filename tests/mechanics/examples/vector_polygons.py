@@ -6,9 +6,15 @@ from collections.abc import Mapping
 from math import degrees, hypot, pi, radians
 from typing import Any
 
-from mechanics.linkages import four_bar, inverted_slider, slider_crank, two_loop, variable_length_link
-from mechanics.manipulators import planar_chain
-from mechanics.motion import LinkageMotion
+from mechanics import (
+    four_bar,
+    inverted_slider,
+    manipulator,
+    slider_crank,
+    two_loop,
+    variable_length_link,
+)
+from mechanics.linkage import LinkageMotion
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 Names = Mapping[str, str]
@@ -65,7 +71,7 @@ def arm(word: str) -> Solve:
 
     def solve(given: Inputs) -> Outputs:
         names = [f"Theta{i}" if joint == "R" else f"h{i}" for i, joint in enumerate(word, 1)]
-        motion = planar_chain.solve(
+        motion = manipulator.solve(
             word,
             [radians(given[f"{name}_deg"]) if name[0] == "T" else given[name] for name in names],
             [given["l_AB"], given["l_BC"]],

@@ -1,1 +1,0 @@
-"""Accuracy: how far small errors of what moves a mechanism carry its point."""

@@ -1,1 +1,0 @@
-"""Balancing of rotors and linkages, and the vibration of one mass."""

@@ -1,1 +1,0 @@
-"""Dynamics: inertia forces, reactions, drives, reduction of a machine to one link."""

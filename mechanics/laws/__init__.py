@@ -1,1 +1,0 @@
-"""Laws of motion: of drives, by finite differences, as transfer functions."""

@@ -1,1 +1,0 @@
-"""Planar linkages: closed forms, and any mechanism as bodies and joints by Newton's method."""

@@ -1,1 +1,0 @@
-"""Serial chains, in the plane and by Denavit-Hartenberg, forwards and backwards."""

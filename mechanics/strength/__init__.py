@@ -1,1 +1,0 @@
-"""Strength of materials: bars, shafts, beams, sections, stress and strain."""

@@ -1,1 +1,0 @@
-"""Structure and mobility: pairs, loops, groups, passive constraints."""

@@ -1,1 +1,0 @@
-"""Transmissions: gears, screws, joints between shafts, the Geneva drive."""

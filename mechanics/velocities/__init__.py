@@ -1,1 +1,0 @@
-"""Velocities and accelerations of one rigid link, as they are found by drawing."""
