@@ -276,6 +276,7 @@ class Verdict:
 RIGHT = Verdict(1.0, Code.RIGHT)
 FOLLOWED = Verdict(1.0, Code.FOLLOWED)
 EMPTY = Verdict(0.0, Code.EMPTY)
+KEPT = Verdict(0.0, Code.KEPT)
 UNDECIDED = Verdict(0.0, Code.UNDECIDED)
 FAULT = Verdict(0.0, Code.FAULT)
 

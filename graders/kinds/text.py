@@ -10,9 +10,8 @@ from typing import Any, ClassVar
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.symbols import Symbols
-from graders.verdict import Code, Verdict
+from graders.verdict import KEPT, Verdict
 
-KEPT = Verdict(0.0, Code.KEPT)
 REFUSED = ("Cc", "Cf", "Cs", "Co", "Cn")  # what nobody sees or types
 ALLOWED = "\t\n\r\u200c\u200d\u00ad"
 

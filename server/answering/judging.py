@@ -5,17 +5,19 @@ from __future__ import annotations
 import asyncio
 import logging
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextvars import copy_context
+from dataclasses import replace
 from functools import partial
 from multiprocessing import get_context, parent_process
 from threading import Thread
 from typing import Any, ParamSpec, Protocol, TypeVar
 
-from exercises import grading
+from exercises import catalogue, grading
 from exercises.exercise import Grade, Submission
+from graders.verdict import EMPTY, FAULT, KEPT
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -139,3 +141,25 @@ def graded(submission: Submission, secret: bytes, **rules: Any) -> Grade:
     except Exception:  # our fault, whatever it is: the student keeps the receipt and loses nothing
         log.exception("grading %s with seed %d failed", submission.variant.exercise, submission.variant.seed)
         return grading.failed(submission)
+
+
+def graded_as_asked(submission: Submission, secret: bytes, asked: Collection[str], **rules: Any) -> Grade:
+    """Grade answers to a task that was dealt before its exercise changed what it asks for.
+
+    What the exercise no longer asks for has no judge: it is kept for the lecturer.
+
+    Raises:
+        UnknownAnswer: An answer that the task does not ask for.
+    """
+    unknown = sorted(set(submission.answers) - set(asked))
+    if unknown:
+        raise grading.UnknownAnswer(unknown[0])
+    variant = submission.variant
+    judged = catalogue.load(variant.exercise).exercise.answers_of(variant.givens)
+    known = {name: text for name, text in submission.answers.items() if name in judged}
+    grade = graded(replace(submission, answers=known), secret, **rules)
+    if grade.verdicts.keys() != judged.keys() or FAULT in grade.verdicts.values():
+        return grade
+    gone = {name: submission.answers.get(name, "") for name in asked if name not in judged}
+    kept = {name: KEPT if text.strip() else EMPTY for name, text in gone.items()}
+    return replace(grade, verdicts={**grade.verdicts, **kept}, provisional=grade.provisional or KEPT in kept.values())

@@ -13,8 +13,9 @@ from graders.language.mathml import symbol_mathml
 from server.answering import forms
 from server.answering.receipts import whole
 from server.answering.submissions import ByHand, Graded, Judged
-from server.answering.variants import Understood, understood
+from server.answering.variants import Understood, as_typed, understood
 from server.bench import Bench
+from server.web.errors import Refused
 
 SHORT = ("quantity", "integer", "rational")
 LONG = {
@@ -167,9 +168,17 @@ async def lines(
     laid, judged = [], _still(graded, typed) if graded else {}
     for number, (name, field) in enumerate(fields.items(), 1):
         text = typed.get(name, "")
-        echo = await understood(bench, variant, name, text, lang) if text.strip() else None
+        echo = await _understood(bench, variant, name, text, lang) if text.strip() else None
         laid.append(_line(number, field, text, echo, judged.get(name), getattr(variant.givens, "L", None)))
     return laid
+
+
+async def _understood(bench: Bench, variant: Variant, name: str, text: str, lang: str) -> Understood:
+    """Say what is understood of an answer that is asked for, also where only the card still asks for it."""
+    try:
+        return await understood(bench, variant, name, text, lang)
+    except Refused:
+        return as_typed(text)
 
 
 def laddered(variant: Variant, laid: Sequence[Line], lang: str, opened: Mapping[str, int] | None = None) -> list[Line]:

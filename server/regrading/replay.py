@@ -9,11 +9,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from exercises import catalogue, grading, verifying
-from exercises.exercise import Grade, Submission, Variant
-from exercises.grading import UnknownAnswer
+from exercises import catalogue, verifying
+from exercises.exercise import Submission
 from exercises.variants import restore
-from server.answering.judging import graded
+from server.answering.judging import graded_as_asked
 from server.answering.receipts import GRADE, whole
 from server.regrading.difference import Effect, difference
 from server.sets.rules import Rules, valued
@@ -181,16 +180,10 @@ def _judged(secret: bytes, card: Dealt, rules: Rules) -> Iterator[tuple[Work, di
         return
     kept = verifying.kept(card.reference) if stale else ()
     for work in card.works:
-        grade = _graded(secret, variant, work, limited=card.limited and not work.all, kept=kept)
+        asked = {name: text for name, text in whole(work.answers).items() if name in card.weights}
+        limited = card.limited and not work.all
+        grade = graded_as_asked(Submission(variant, asked), secret, card.weights, limited=limited, kept=kept)
         yield work, GRADE.dump_python(valued(grade, card.weights, rules), mode="json"), stale
-
-
-def _graded(secret: bytes, variant: Variant, work: Work, **rules: Any) -> Grade:
-    submission = Submission(variant, whole(work.answers))
-    try:
-        return graded(submission, secret, **rules)
-    except UnknownAnswer:  # the exercise no longer asks for it
-        return grading.failed(submission)
 
 
 def _installed(card: Dealt) -> int | None:

@@ -15,7 +15,7 @@ from exercises.grading import UnknownAnswer
 from exercises.variants import restore
 from graders import Code
 from server.answering import receipts
-from server.answering.judging import graded
+from server.answering.judging import graded_as_asked
 from server.bench import Bench
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
@@ -180,7 +180,7 @@ async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bo
 def _judged(card: Card, submission: Submission, secret: bytes, limited: bool) -> tuple[Grade, bool]:
     sound = reproduced(card)
     kept = () if sound else verifying.kept(card.reference)
-    return graded(submission, secret, limited=limited, kept=kept), sound
+    return graded_as_asked(submission, secret, weights_of(card), limited=limited, kept=kept), sound
 
 
 def weights_of(card: Card) -> dict[str, float]:

@@ -10,6 +10,7 @@ from sqlalchemy import select, update
 from server.database.engine import engine
 from server.tables import deck, grades, jobs
 from tests.server.sets.conftest import Course
+from tests.server.sets.test_api import without
 
 
 @pytest.fixture(scope="module")
@@ -86,6 +87,16 @@ def test_a_wrong_reference_is_shown_beside_the_new_one_before_it_is_replaced(cou
     wish = {"recompute_references": True}
     ended(course, course.lecturer.post(f"/api/v1/task-sets/{number}/regrade", json=wish).json()["id"])
     assert course.card(number).reference == card.reference
+
+
+def test_what_an_exercise_no_longer_asks_for_takes_no_points_from_what_was_handed_in(course: Course) -> None:
+    number, gone = course.published(), "omega2_formula"
+    course.hand_in(course.variant(number), dict(course.card(number).reference["texts"]))
+    with without(gone):
+        job = ended(course, course.lecturer.post(f"/api/v1/task-sets/{number}/regrade", json={}).json()["id"])
+    (change,) = course.lecturer.get(f"/api/v1/jobs/{job['id']}/changes").json()["changes"]
+    assert (change["effect"], change["old"], change["new"]) == ("withheld", 1.0, 0.8)
+    assert [(one["name"], one["new"]["code"]) for one in change["answers"]] == [(gone, "kept")]
 
 
 def test_who_may_not_teach_may_not_regrade(course: Course, handed_in: str) -> None:

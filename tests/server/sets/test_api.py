@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -140,6 +142,54 @@ def test_what_only_a_later_version_asks_for_takes_nothing_from_a_card(
     forget()
     assert page.status_code == 200 and "l3_formula" not in page.text
     assert (graded["score"], set(graded["verdicts"]), graded["needs_regrade"]) == (1.0, set(right), True)
+
+
+@contextmanager
+def without(gone: str) -> Iterator[None]:
+    """Let the installed exercise no longer ask for an answer."""
+    answers = catalogue.load(EXERCISE).exercise.answers
+    assert isinstance(answers, dict)
+    before = dict(answers)
+    del answers[gone]
+    forget()
+    try:
+        yield
+    finally:
+        answers.clear()
+        answers.update(before)  # in the order they had
+        forget()
+
+
+def test_what_an_exercise_no_longer_asks_for_is_kept_for_the_lecturer_and_the_rest_is_judged(course: Course) -> None:
+    number = course.published(item={"attempts": 3})
+    variant, right, gone = course.variant(number), texts(course, number), "omega2_formula"
+    with without(gone):
+        graded = course.hand_in(variant, right).json()
+        empty = course.hand_in(variant, {"l3": "1 mm"}).json()
+        unreadable = course.hand_in(variant, {**right, "l3": "1 m/"}).json()
+        unknown = course.hand_in(variant, {**right, "v4": "1"})
+    assert (graded["counted"], graded["provisional"], graded["score"]) == (True, True, pytest.approx(0.8))
+    found = {name: one["code"] for name, one in graded["verdicts"].items()}
+    assert found == {**dict.fromkeys(right, "right"), gone: "kept"}
+    assert (empty["verdicts"][gone]["code"], empty["provisional"]) == ("empty", False)
+    assert (unreadable["counted"], list(unreadable["verdicts"])) == (False, ["l3"])
+    assert (code_of(unknown), unknown.json()["error"]["field"]) == ((422, "unknown_answer"), "answers.v4")
+
+
+def test_pages_show_what_an_exercise_no_longer_asks_for_as_it_was_typed(course: Course) -> None:
+    number, person, gone = course.published(), course.school.people["student"], "omega2_formula"
+    variant, right = course.variant(number), texts(course, number)
+    theirs = ("results", "analysis", "regrade", f"students/{person}")
+    with without(gone):
+        course.hand_in(variant, right)
+        pages = [course.student.get(path) for path in (f"/variants/{variant}", f"/sets/{number}")]
+        pages += [course.lecturer.get(f"/sets/{number}/{path}") for path in theirs]
+        pages.append(course.student.post(f"/variants/{variant}/preview", data={f"answer.{gone}": right[gone]}))
+        said = course.student.post(f"/api/v1/variants/{variant}/preview", json={"answer": gone, "text": "l1 - "})
+        other = course.student.post(f"/api/v1/variants/{variant}/preview", json={"answer": "v4", "text": "l1"})
+    assert [page.status_code for page in pages] == [200] * 7
+    assert (said.json()["ok"], said.json()["text"]) == (True, "l1 - ")
+    assert code_of(other) == (422, "unknown_answer")
 
 
 def test_attempts_are_limited_and_counted_by_the_rule(course: Course) -> None:
