@@ -26,12 +26,14 @@ class Equation:
         step: The unknown; its formula gives its true value.
         span: Least and greatest value of the unknown between which solutions count.
         equation: A right equation, as a student could type it; by default the unknown equals its formula.
+        branch: Whether the task tells which solution is meant, so that an equation with that one alone is right too.
         weight: Share in the score.
     """
 
     step: str
     span: tuple[float, float]
     equation: str = ""
+    branch: bool = False
     weight: float = 1.0
     kind: ClassVar[str] = "equation"
     symbolic: ClassVar[bool] = True
@@ -48,13 +50,20 @@ class Equation:
 
         task = Task((self.step,), (self.span,), reference)
         seen = judged((answer,), (self._right(reference),), task)
-        return seen.verdict if all(seen.holding) else wrong(Code.NOT_SATISFIED)
+        if not all(seen.holding):
+            return wrong(Code.NOT_SATISFIED)
+        if self.branch and seen.verdict.code is Code.LOST_SOLUTION:
+            return judged((answer,), (self._solved(reference),), task).verdict
+        return seen.verdict
+
+    def _solved(self, reference: Formula) -> Relation:
+        return Relation(("=",), (Name(self.step), reference.tree))
 
     def _right(self, reference: Formula) -> Relation:
         """Give the task's own equation; that of a replaced step where the written one does not hold."""
         from graders.solutions.posed import Task, holds
 
-        solved = Relation(("=",), (Name(self.step), reference.tree))
+        solved = self._solved(reference)
         written = parse_line(self.equation) if self.equation else solved
         if not isinstance(written, Relation):
             raise TypeError(f"{self.equation!r} is no equation")

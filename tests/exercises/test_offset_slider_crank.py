@@ -33,6 +33,8 @@ def judged(name: str, text: str) -> Verdict:
         "|l3 - l1*cos(alpha1)| = sqrt(l2^2 - (h - l1*sin(alpha1))^2)",
         "(l3 - l1*cos(alpha1))^2 = (l2 - h + l1*sin(alpha1))*(l2 + h - l1*sin(alpha1))",
         "((l3 - l1*cos(alpha1))/l2)^2 + ((h - l1*sin(alpha1))/l2)^2 = 1",
+        "l3 = l1*cos(alpha1) + sqrt(l2^2 - (h - l1*sin(alpha1))^2)",  # the slider is on the positive side
+        "l3 = l1*cos(alpha1) + l2*cos(asin((h - l1*sin(alpha1))/l2))",
         r"\left(l_{3}-l_{1}\cos\alpha_{1}\right)^{2}+\left(h-l_{1}\sin\alpha_{1}\right)^{2}=l_{2}^{2}",
     ],
 )
@@ -43,7 +45,7 @@ def test_an_equation_of_the_position_is_right_however_it_is_written(text: str) -
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        ("l3 = l1*cos(alpha1) + sqrt(l2^2 - (h - l1*sin(alpha1))^2)", Code.LOST_SOLUTION),
+        ("l3 = l1*cos(alpha1) - sqrt(l2^2 - (h - l1*sin(alpha1))^2)", Code.NOT_SATISFIED),
         ("(l3 - l1*cos(alpha1))^2 + (h + l1*sin(alpha1))^2 = l2^2", Code.NOT_SATISFIED),
         ("(l3 - l1*cos(alpha1))^2 + (l1*sin(alpha1))^2 = l2^2", Code.NOT_SATISFIED),
         ("((l3 - l1*cos(alpha1))^2 + (h - l1*sin(alpha1))^2 - l2^2)*(l3 - l1) = 0", Code.SURPLUS_SOLUTION),

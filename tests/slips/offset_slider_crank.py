@@ -15,7 +15,6 @@ SLIPS = (
     S("sense of the inequality turned", "sense_turned", {}, {"turning": "=l2 <= l1 + h"}),
     S("sense turned while moving terms", "sense_turned", {}, {"turning": "=l1 + h >= l2"}),
     # the equation of the position
-    S("one square root written out", "lost_solution", {}, {"position": f"=l3 = l1*cos(alpha1) + {ROOT}"}),
     S("the other square root", "not_satisfied", {}, {"position": f"=l3 = l1*cos(alpha1) - {ROOT}"}),
     S(
         "multiplied by the coordinate",

@@ -89,6 +89,7 @@ EXERCISE = Exercise(
             step="l3",
             span=(-FURTHEST, FURTHEST),
             equation="(l3 - l1*cos(alpha1))^2 + (h - l1*sin(alpha1))^2 = l2^2",
+            branch=True,  # the slider is on the side of +X, so the greater root alone is right as well
         ),
         "l3": Quantity("mm", rtol=0.005),
         "alpha2": Quantity("deg", rtol=0.005),

@@ -6,6 +6,7 @@ span where it is only asked whether an equation holds at the true states.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, pi, sin
 
 import pytest
@@ -52,6 +53,13 @@ def test_a_lost_assembly_is_named_where_the_span_holds_both() -> None:
     one = "alpha2 = asin((h - l1*sin(alpha1))/l2)"
     assert verdict(BOTH, one, ALPHA2, GIVEN).code is Code.LOST_SOLUTION
     assert verdict(ROD, one, ALPHA2, GIVEN).code is Code.RIGHT
+
+
+def test_the_solution_that_the_task_means_is_right_alone_and_no_other() -> None:
+    meant = replace(BOTH, branch=True)
+    assert verdict(meant, "alpha2 = asin((h - l1*sin(alpha1))/l2)", ALPHA2, GIVEN).code is Code.RIGHT
+    assert verdict(meant, "l1*sin(alpha1) + l2*sin(alpha2) = h", ALPHA2, GIVEN).code is Code.RIGHT
+    assert verdict(meant, "alpha2 = pi - asin((h - l1*sin(alpha1))/l2)", ALPHA2, GIVEN).code is Code.NOT_SATISFIED
 
 
 def test_a_replaced_step_moves_the_equation_with_it() -> None:
