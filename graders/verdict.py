@@ -33,6 +33,7 @@ class Code(StrEnum):
     WRONG_DIMENSION = "wrong_dimension"
     NOT_PRECISE = "not_precise"
     ROUNDED_NUMBER = "rounded_number"
+    NO_SYMBOLS = "no_symbols"
     NOT_EXACT = "not_exact"
     INVERTED_RATIO = "inverted_ratio"
     UNDEFINED = "undefined"
@@ -123,6 +124,7 @@ OUTCOMES = {
     Code.WRONG_DIMENSION: Outcome.WRONG,
     Code.NOT_PRECISE: Outcome.WRONG,
     Code.ROUNDED_NUMBER: Outcome.WRONG,
+    Code.NO_SYMBOLS: Outcome.WRONG,
     Code.NOT_EXACT: Outcome.WRONG,
     Code.INVERTED_RATIO: Outcome.WRONG,
     Code.UNDEFINED: Outcome.WRONG,

@@ -67,6 +67,8 @@ class Expression:
         found = compare(answer, reference, self.figures)
         if found.finding is Finding.EQUAL:
             return self._formed(answer)
+        if found.finding is Finding.DIFFERENT and names(reference.tree) and not names(answer):
+            return wrong(Code.NO_SYMBOLS)
         if found.finding is Finding.DIFFERENT and not self.figures and rounds(answer, reference, FEWEST):
             return wrong(Code.ROUNDED_NUMBER, Witness(found.witness))
         if found.finding in (Finding.DIFFERENT, Finding.UNDEFINED):

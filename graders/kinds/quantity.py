@@ -36,6 +36,7 @@ PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
+WORDS = re.compile(r"[^\W\d]\w{0,23}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,10 +81,10 @@ class Quantity:
         refuse_direction(text)
         try:
             return self._read(text, symbols)
-        except AnswerSyntaxError:
+        except AnswerSyntaxError as error:
             amount = self._told_twice(text, symbols)
             if amount is None:
-                raise
+                raise (error.reason is Reason.NEEDS_OPERAND and _formula_typed(text, symbols)) or error from None
             return amount
 
     def _told_twice(self, text: str, symbols: Symbols) -> Amount | None:
@@ -378,3 +379,9 @@ def _opened_before(tokens: list[Token], at: int) -> int:
         elif token.kind == ")" and opened:
             opened.pop()
     return next((place for place in opened if place and tokens[place - 1].kind in ("number", ")", "°")), 0)
+
+
+def _formula_typed(text: str, symbols: Symbols) -> AnswerSyntaxError | None:
+    """Ask for the number where a formula over the symbols of the task was typed."""
+    named = any(symbols.find(word) for word in WORDS.findall(text[:LONGEST]))
+    return AnswerSyntaxError(Reason.NOT_A_NUMBER, 0, text.strip()[:20]) if named else None

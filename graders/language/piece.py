@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import NamedTuple, TypeVar
 
 from graders.language.errors import AnswerSyntaxError, Reason
 
 Read = TypeVar("Read")
+BULLET = re.compile(r"\s{0,20}(?:[•‣▪◦]\s{0,20}|[-–—*]\s{1,20}(?=(?:[<>]=|[^:=\n]){1,40}:))")  # a dash: before a label
 
 
 class Piece(NamedTuple):
@@ -36,3 +38,9 @@ class Piece(NamedTuple):
             return reader(self.text)
         except AnswerSyntaxError as error:
             raise error.moved(self.place + error.position) from None
+
+
+def without_bullet(piece: Piece) -> Piece:
+    """Leave out the mark of an item of a list, as copied from a document: `• l1: A > B`, `- 0 .. 1,5: 14`."""
+    found = BULLET.match(piece.text)
+    return piece.part(found.end()) if found else piece

@@ -111,7 +111,7 @@ MAPPED = _Mapped()
 
 
 def _cut(plain: str, separating: frozenset[int]) -> Iterator[Token]:
-    place, end = 0, len(plain.rstrip(" "))
+    place, end = 0, len(plain.rstrip(" ").removesuffix(".").rstrip(" "))  # a full stop behind the last formula
     while place < end:
         found = TOKEN.match(plain, place)
         if found is None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.piece import Piece
+from graders.language.piece import Piece, without_bullet
 from graders.language.symbols import DOTS, Symbols, function_named, key, latin
 from graders.language.tokens import Token, tokenize
 from graders.polygon import keywords
@@ -43,6 +43,7 @@ def lines_of(text: str) -> list[Line]:
 
 
 def _statements(row: Piece) -> Iterator[Piece]:
+    row = without_bullet(row)
     start = 0
     for at in range(len(row.text)):
         if row.text[at] == ";" and _opens(row.text[at + 1 :]):

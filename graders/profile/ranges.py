@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.parser import parse
-from graders.language.piece import Piece
+from graders.language.piece import Piece, without_bullet
 from graders.language.symbols import Symbols
 from graders.language.tree import Relation, Tree
 
@@ -101,6 +101,7 @@ def _colon(piece: Piece) -> int | None:
 
 
 def _ranged(piece: Piece) -> Ranged:
+    piece = without_bullet(piece)
     colon = _colon(piece)
     ends = _ends(piece.part(0, colon)) if colon is not None else None
     if colon is None or ends is None:

@@ -26,7 +26,7 @@ def read_equation(text: str, symbols: Symbols, unknowns: frozenset[str]) -> Rela
 
 def read_inequality(text: str, symbols: Symbols) -> Relation:
     """Read an inequality or a chain of them; raises AnswerSyntaxError."""
-    tree = _relation(text, symbols, frozenset())
+    tree = _relation(text.replace("=<", "<=").replace("=>", ">="), symbols, frozenset())
     if not is_inequality(tree):
         raise AnswerSyntaxError(Reason.NOT_AN_INEQUALITY, 0, text.strip()[:20])
     return tree

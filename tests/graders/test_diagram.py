@@ -54,6 +54,8 @@ def test_a_diagram_passes_its_own_samples(judge: Diagram, rows: Rows) -> None:
         f"{FIRST}; {SECOND}; {THIRD}",
         f"{THIRD}\n{SECOND}\n{FIRST}",
         f"M =\n{FIRST}\n{SECOND}\n{THIRD}",
+        f"- {FIRST}\n- {SECOND}\n- {THIRD}.",
+        f"• {FIRST}\n• {SECOND}\n• {THIRD}",
         "7,5*x - x^2 - 6<x-1,5> + <x-3>^0",
         "M(x) = 7.5x - x² - 6<x - 1.5>^1 + 1*<x-3>^0",
         "7500*x - 1000*x^2 - 6000<x-1.5> + 1000<x-3>^0 N*m",

@@ -22,7 +22,9 @@ from tests.graders.judging import NAMES, OMEGA2, STATES, SYMBOLS, judged
         ("-l1*ω1*sin(α1)/(l2*cos(α2))", Code.WRONG),
         ("sqrt(-1 - l1)", Code.UNDEFINED),
         ("1/(l1 - l1)", Code.UNDEFINED),
-        ("2", Code.WRONG),
+        ("-l1*ω1*cos(α1)/(l2*cos(α2)).", Code.RIGHT),
+        ("2", Code.NO_SYMBOLS),
+        ("-0,09*12*cos(30°)/0,25", Code.NO_SYMBOLS),
     ],
 )
 def test_formulas_are_equal_as_functions_or_proved_different(typed: str, code: Code) -> None:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from graders import AnswerSyntaxError, Code, Quantity
+from graders import AnswerSyntaxError, Code, Quantity, Symbols
 from graders.language import Reason
 from tests.graders.judging import NOTHING, judged
 
@@ -67,6 +67,13 @@ def test_what_is_no_quantity_is_unreadable(typed: str, reason: Reason) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         Quantity("MPa").parse(typed, NOTHING)
     assert refused.value.reason is reason
+
+
+@pytest.mark.parametrize("typed", ["-asin(l1*sin(alpha1)/l2)", "0,5*sin(alpha1)"])
+def test_a_formula_where_a_number_is_asked_for_is_answered_by_asking_for_the_number(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("deg").parse(typed, Symbols(["l1", "l2", "alpha1"]))
+    assert refused.value.reason is Reason.NOT_A_NUMBER
 
 
 @given(st.floats(-math.pi, math.pi), st.integers(-3, 3))

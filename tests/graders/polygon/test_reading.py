@@ -33,6 +33,8 @@ PLAIN = read("l1: A > B, length l1, angle alpha1")
     [
         "l1: A -> B, length l1, angle alpha1",
         "l1: A→B; length: l1; angle: alpha1",
+        "- l1: A > B, length l1, angle alpha1",  # an item of the list in the statement
+        "•\tl1: A > B, length l1, angle alpha1",
         "l₁: AB, α₁ angle, length l_1",
         "l_1 : from A to B , l1 , alpha1",
         "vector l1: A - B, angle = α1, length = l1.",

@@ -26,6 +26,8 @@ def test_the_judge_passes_its_own_samples() -> None:
     [
         ("l2 - l1 ≥ h", Code.RIGHT, 1),
         ("(l1 + h)/l2 <= 1", Code.RIGHT, 1),
+        ("l1 + h =< l2", Code.RIGHT, 1),
+        ("l2 => l1 + h.", Code.RIGHT, 1),
         ("l1 + h < l2", Code.BORDER, 0.5),
         ("l1 + h >= l2", Code.SENSE_TURNED, 0),
         ("l1 - h <= l2", Code.WRONG, 0),
