@@ -31,7 +31,7 @@ HEAD = """# The mechanics room
 This page is written from the docstrings of `mechanics/` by `uv run python -m tests.docs.mechanics_reference`; a test
 compares the two. SI units, angles in radians; each module states its sign convention at its head. What cannot be solved
 is raised as a `ValueError` that names the value (`mechanics.errors`). The same solvers without Python:
-[solvers.md](solvers.md).
+[solvers.md](solvers.md). What *domain VP-2* and the like name: [systems.md](systems.md).
 
 To find something, search this page for the thing itself: deflection, planetary, Coriolis. The first table has a row a
 module; below it, each module has a row a function and a row for what a class can tell: what it is, and the source of

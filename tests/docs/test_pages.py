@@ -99,6 +99,12 @@ def test_the_readme_names_its_two_commands_and_every_room() -> None:
     assert all(f"| `{room}/` |" in readme for room in ROOMS)
 
 
+def test_the_readme_leads_to_every_page() -> None:
+    readme = (ROOT / "README.md").read_text("utf-8")
+    pages = [page for page in DOCS.rglob("*.md") if page.parent.name != "decisions"]
+    assert [named(page) for page in pages if f"({named(page)})" not in readme] == []
+
+
 def test_the_guide_to_exercises_describes_the_files_of_a_folder() -> None:
     guide = (DOCS / "how-to" / "write-an-exercise.md").read_text("utf-8")
     assert all(f"`{name}`" in guide for name in (*catalogue.FILES, "figure.py"))

@@ -9,7 +9,14 @@ import pytest
 
 from cli.reading import LARGEST, LONGEST
 from graders import Outcome
-from tests.docs import api_reference, command_reference, language_reference, mechanics_reference, solver_reference
+from tests.docs import (
+    api_reference,
+    command_reference,
+    language_reference,
+    mechanics_reference,
+    solver_reference,
+    systems_reference,
+)
 
 DOCS = api_reference.ROOT / "docs"
 
@@ -22,11 +29,18 @@ DOCS = api_reference.ROOT / "docs"
         (language_reference.PAGE, language_reference.page),
         (mechanics_reference.PAGE, mechanics_reference.page),
         (solver_reference.PAGE, solver_reference.page),
+        (systems_reference.PAGE, systems_reference.page),
     ],
-    ids=["api", "commands", "language", "mechanics", "solvers"],
+    ids=["api", "commands", "language", "mechanics", "solvers", "systems"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
+
+
+def test_each_system_that_is_cited_by_number_has_its_names() -> None:
+    cited = {number: at for at, numbers in systems_reference.places().items() for number in numbers}
+    assert {number: at for number, at in cited.items() if number not in systems_reference.names()} == {}
+    assert {"VP-2", "DH-13", "SM-11"} <= set(cited)
 
 
 def test_the_page_on_files_names_the_limits_and_the_outcomes() -> None:
