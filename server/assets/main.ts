@@ -10,6 +10,7 @@ import { followJob } from "./ts/jobs.ts";
 import { keepPerson } from "./ts/laboratory/person.ts";
 import { moveInGrid } from "./ts/matrix.ts";
 import { orderList } from "./ts/order.ts";
+import { pasteInGrid } from "./ts/paste.ts";
 import { buildPolygon } from "./ts/polygon.ts";
 import { followProgress } from "./ts/progress.ts";
 import { sketch } from "./ts/sketch.ts";
@@ -28,6 +29,7 @@ document.querySelectorAll<HTMLFormElement>("form").forEach((form) => {
   guardSubmit(form);
   growFormulas(form);
   moveInGrid(form);
+  pasteInGrid(form);
   listenForEcho(form);
   hideStaleVerdicts(form);
   restoreDraft(form); // last: what it restores is echoed and grown like typed text

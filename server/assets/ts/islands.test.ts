@@ -11,6 +11,7 @@ import { allowsAttribute, allowsElement } from "./mathml.ts";
 import { neighbour } from "./matrix.ts";
 import { merge, same } from "./merge.ts";
 import { lettersOf, moved } from "./order.ts";
+import { tableOf } from "./paste.ts";
 import { senseOf } from "./polygon.ts";
 import { read, write } from "./polygon_text.ts";
 import { readPreview, turnstile } from "./preview.ts";
@@ -114,6 +115,14 @@ test("an arrow leads to the next entry of a matrix and nowhere from other fields
   assert.equal(neighbour("answer.T.2.3", "ArrowRight"), "answer.T.2.4");
   assert.equal(neighbour("answer.omega2", "ArrowUp"), null);
   assert.equal(neighbour("answer.T.2.3", "a"), null);
+});
+
+test("a copied table is parted into its cells, and one cell is no table", () => {
+  assert.deepEqual(tableOf("0,5\t\t14\r\n1,5\t-1\t2\r\n"), [["0,5", "", "14"], ["1,5", "-1", "2"]]);
+  assert.deepEqual(tableOf("\t1\n2\t3"), [["", "1"], ["2", "3"]]);
+  assert.deepEqual(tableOf("q1; L1\npi/2 - q2; 0"), [["q1", "L1"], ["pi/2 - q2", "0"]]);
+  assert.deepEqual(tableOf(" 1  2\n 3 4\n"), [["1", "2"], ["3", "4"]]);
+  for (const text of ["", "12,5", "pi/2 - q2", "12,5\n"]) assert.equal(tableOf(text), null, text);
 });
 
 test("a draft is kept for thirty days and a damaged one is dropped", () => {

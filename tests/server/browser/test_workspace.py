@@ -119,6 +119,24 @@ def test_a_grid_is_filled_and_echoed_by_keyboard(page: Page, site: Live) -> None
     assert page.input_value("[name='answer.A1.3.2']") == "32"
 
 
+PASTE = """([selector, text]) => {
+  const clipboardData = new DataTransfer(), bubbles = true, cancelable = true;
+  clipboardData.setData("text/plain", text);
+  document.querySelector(selector).dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles, cancelable }));
+}"""
+
+
+@pytest.mark.parametrize("cell", ["2.1", "3.2"])  # from the second there is no room: the table fills the whole grid
+def test_a_table_copied_from_a_sheet_fills_the_cells(page: Page, site: Live, cell: str) -> None:
+    desk(page, site.url, "rrr_matrices")
+    table = "50\t0\t0,36\t0\r\n-40\t0\t0\t0\r\n"
+    page.evaluate(PASTE, [f"[name='answer.P.{cell}']", table])
+    first = 2 if cell == "2.1" else 1
+    assert [page.input_value(f"[name='answer.P.{first}.{at}']") for at in (1, 2, 3, 4)] == ["50", "0", "0,36", "0"]
+    assert [page.input_value(f"[name='answer.P.{first + 1}.{at}']") for at in (1, 2)] == ["-40", "0"]
+    assert "[50; 0; 0,36; 0], [-40; 0; 0; 0]" in page.input_value("textarea[name='answer.P']")
+
+
 def test_a_diagram_is_drawn_by_keyboard_and_is_its_table(page: Page, site: Live) -> None:
     desk(page, site.url, "beam_diagrams")
     first = page.locator(".sketch [role=slider]").first
