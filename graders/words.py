@@ -50,8 +50,14 @@ def decimal(value: float, lang: str, figures: int = 5) -> str:
     return digits if lang == "en" else digits.replace(".", ",")
 
 
-def message(verdict: Verdict, lang: str) -> str:
-    """Word a verdict: what a student reads beside the field."""
+def message(verdict: Verdict, lang: str, *, used: bool = False) -> str:
+    """Word a verdict: what a student reads beside the field; `used` tells that an attempt was used up all the same."""
+    text = _worded(verdict, lang)
+    free = verdict.code is Code.UNREADABLE and not used
+    return f"{text} {locale(lang)['uncounted']}" if free else text
+
+
+def _worded(verdict: Verdict, lang: str) -> str:
     words = locale(lang)
     match verdict.details:
         case Reading(reason=reason, position=position, proposal=proposal) if verdict.code is Code.UNREADABLE:

@@ -228,6 +228,7 @@ def worded(marked: Marked, around: Around, language: str, *, staff: bool = False
     verdicts = {name: one for name, one in grade.verdicts.items() if not held or one.code is Code.UNREADABLE}
     marks = () if held else around.marks
     line = Line("", "", handed.variant, handed.receipt, handed.time, marked.grade, marked.counted)
+    used = marked.counted and place is not None
     given = counting.by_submission(marks).get(handed.receipt, counting.NONE)
     return Graded(
         score=None if held else _score(place, line, given),
@@ -236,7 +237,7 @@ def worded(marked: Marked, around: Around, language: str, *, staff: bool = False
         provisional=not held and bool(counting.left_open(line, given)),
         held=held,
         needs_regrade=not around.sound,
-        verdicts={name: judged(verdict, language) for name, verdict in verdicts.items()},
+        verdicts={name: judged(verdict, language, used=used) for name, verdict in verdicts.items()},
         hints=list(hints),
         by_hand=[ByHand(answer=one.answer, share=one.share, comment=one.comment, time=one.time) for one in marks],
         receipt=Receipt(id=handed.receipt, time=handed.time, digest=handed.digest),
@@ -251,14 +252,14 @@ def _score(place: Place | None, line: Line, given: counting.Given) -> float:
     return counting.earned(line, given, handing.weights_of(place.card), handing.rules_of(place.task_set))
 
 
-def judged(verdict: Verdict, language: str) -> Judged:
-    """Word one verdict."""
+def judged(verdict: Verdict, language: str, *, used: bool = False) -> Judged:
+    """Word one verdict of a submission; `used` tells that it took an attempt at a set."""
     details = verdict.details
     return Judged(
         outcome=verdict.outcome,
         code=verdict.code,
         score=verdict.score,
-        message=message(verdict, language),
+        message=message(verdict, language, used=used),
         follow_through=verdict.code is Code.FOLLOWED,
         position=details.position if isinstance(details, Reading) else None,
         entries=list(details.wrong) if isinstance(details, Entries) else [],

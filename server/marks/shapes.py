@@ -309,4 +309,5 @@ def _piece(piece: Piece) -> ShownPiece:
 def verdicts_of(piece: Piece) -> dict[str, Judged]:
     """Word the verdicts of a submission in the language in which its student read them."""
     grade = GRADE.validate_python(piece.line.grade)
-    return {name: judged(verdict, piece.handed.language) for name, verdict in grade.verdicts.items()}
+    language, used = piece.handed.language, piece.line.counted
+    return {name: judged(verdict, language, used=used) for name, verdict in grade.verdicts.items()}

@@ -82,6 +82,21 @@ def test_a_draft_that_comes_too_late_does_not_push_out_the_last_one_in_time(cour
     assert course.student.get(f"/api/v1/task-sets/{number}").json()["share"] == 1
 
 
+def test_what_a_draft_at_time_out_could_not_tell_is_not_said_to_have_cost_nothing(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"}, item={"attempts": 1})
+    variant = course.variant(number)
+    draft = {"answers": {"l3": "1 m", "v3": "9^9^9"}, "revision": 0}
+    assert course.student.put(f"/api/v1/variants/{variant}/draft", json=draft).status_code == 200
+    course.move(number, seconds=0)
+    course.school.portal.call(handing.collect, course.school.bench, datetime.now(UTC))
+    (line,) = course.student.get(f"/api/v1/task-sets/{number}").json()["items"][0]["ledger"]
+    graded = course.student.get(f"/api/v1/submissions/{line['receipt']}?lang=en").json()
+    assert graded["counted"] and graded["verdicts"]["v3"]["outcome"] == "unreadable"
+    assert graded["verdicts"]["v3"]["message"].startswith("Not read: ")
+    page = course.student.get(f"/variants/{variant}?lang=en").text
+    assert "No attempt was counted" not in graded["verdicts"]["v3"]["message"] + page
+
+
 def test_a_draft_for_which_no_attempt_is_left_is_not_judged_again_and_again(course: Course) -> None:
     number = course.published(rules={"mode": "exam"}, item={"attempts": 1})
     variant = course.variant(number)
