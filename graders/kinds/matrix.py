@@ -191,16 +191,24 @@ def read_grid(text: str, symbols: Symbols) -> Grid:
 
 def _read(text: str, symbols: Symbols) -> Tree:
     try:
-        return parse(text, symbols)
+        tree = parse(text, symbols)
     except AnswerSyntaxError as error:
-        plain, place = "" if is_latex(text) else bracketed(text), error.position
-        if plain:
-            with suppress(AnswerSyntaxError):
-                return parse(plain, symbols)
+        rows, place = _in_rows(text, symbols), error.position
+        if rows:
+            return rows
         if error.reason is not Reason.NEEDS_OPERAND or is_latex(text) or text[place : place + 1] not in (";", ",", "]"):
             raise
         row, column = _entry_at(text[:place])
         raise AnswerSyntaxError(Reason.MISSING_ENTRY, place, f"({row}, {column})") from None
+    return tree if isinstance(tree, Grid | Relation) else _in_rows(text, symbols) or tree
+
+
+def _in_rows(text: str, symbols: Symbols) -> Tree | None:
+    """Read rows without their brackets; None where there are none."""
+    plain = bracketed(text)
+    with suppress(AnswerSyntaxError):
+        return parse(plain, symbols) if plain else None
+    return None
 
 
 def _entry_at(before: str) -> tuple[int, int]:

@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
+import re
+
+from graders.language.latex_reader import undollared
+
 GAPS = (";", "\t", "|", "&", ", ", " ")  # between the entries of a row, the surest first
 LONGEST = 2000
+BREAK = re.compile(r"\\\\")  # between the rows of LaTeX
+SPACE = re.compile(r"\\(?:[,;:!> ]|q?quad\b)")
+FENCE = re.compile(r"\\left(?=\[)|\\right(?=\])")
 
 
 def bracketed(text: str) -> str:
     """Write the rows of a matrix with the brackets of the language: `1 0\\n0 1` and `[1 0; 0 1]` are `[[1;0], [0;1]]`.
 
+    LaTeX may stand in the entries, and its marks between them: `\\frac{1}{2} & 0 \\\\ 0 & 1`.
     Empty where the text has no rows of one length: then it is no such matrix.
     """
-    rows = [_entries(row) for row in _rows(text)] if len(text) <= LONGEST else []
+    rows = [_entries(row) for row in _rows(_unmarked(text))] if len(text) <= LONGEST else []
     alone = len(rows) == 1 and "[" not in text
     if alone or len({len(row) for row in rows}) != 1 or len(rows[0]) < 2 or not all(map(all, rows)):
         return ""
     return "[" + ", ".join(f"[{'; '.join(row)}]" for row in rows) + "]"
+
+
+def _unmarked(text: str) -> str:
+    """Write the marks of LaTeX between rows and entries as those of plain text."""
+    return FENCE.sub("", SPACE.sub(" ", BREAK.sub("\n", undollared(text))))
 
 
 def _rows(text: str) -> list[str]:

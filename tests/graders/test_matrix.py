@@ -58,6 +58,29 @@ def test_rows_need_no_brackets_and_entries_no_semicolons(typed: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "typed",
+    [
+        "\\frac{60}{2} 450\n-45 0",
+        "\\frac{60}{2}; 450\n-45; 0",
+        "\\frac{60}{2}\t450\n-45\t0",
+        "P = [\\frac{60}{2} 450; -45 0]",
+        "\\frac{60}{2} & 450 \\\\ -45 & 0",
+        "P=\\left[\\frac{60}{2} & 450\\\\-45 & 0\\right]",
+        "30^\\circ\\quad 450\\\\ -45^\\circ\\; 0",
+        "30{,}0 450\n-45 0",
+        "$30{,}0 & 450 \\\\ -45 & 0$",
+    ],
+)
+def test_rows_without_brackets_may_hold_latex(typed: str) -> None:
+    assert judged(typed) is Code.RIGHT
+
+
+@pytest.mark.parametrize("typed", ["(30) (450)\n(-45) (0)", "30 cos(0)*450\n-45 sin(0)"])
+def test_lines_that_could_be_factors_are_rows(typed: str) -> None:
+    assert judged(typed) is Code.RIGHT
+
+
+@pytest.mark.parametrize(
     ("typed", "place"), [("30 450\n-45", 3), ("[30 450; -45 x]", 4), ("1 2 3", 2), ("[30 - 450; 1 0]", 13)]
 )
 def test_what_is_no_table_of_numbers_is_refused_where_it_was_typed(typed: str, place: int) -> None:

@@ -3,7 +3,7 @@
 Mutants of this judge that live on change nothing that can be seen:
 
 * `<` for `<=`, or the opposite, where no number meets the border: of right, of a slip, of the least entry that is told;
-* `XXXX` for no text where LaTeX is read: it is no matrix either; letters beside `0` and `.` that are taken off an end;
+* letters beside `0` and `.` that are taken off an end;
 * a greatest number of 1e99 and one; the name of the type variable.
 """
 
