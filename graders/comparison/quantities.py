@@ -5,10 +5,11 @@ from __future__ import annotations
 from itertools import product
 from math import pi, remainder
 
+from graders.amounts import Amount
 from graders.comparison.outcome import EQUAL, Answer, Why, different
 from graders.comparison.request import NOTHING, Request
 from graders.comparison.texts import Unread
-from graders.kinds.quantity import Amount, Quantity
+from graders.kinds.quantity import Quantity
 from graders.language import AnswerSyntaxError
 from graders.units import NONE, Unit, fits, readings
 

@@ -8,6 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from graders.amounts import EQUALS
 from graders.asides import without_asides
 from graders.common_slips import NONE, Slips
 from graders.judge import Echo, Samples
@@ -41,7 +42,7 @@ class Integer:
         plain = COUNTED.sub("", without_asides(text)).translate(FULL_WIDTH)
         found = WHOLE.fullmatch(plain) if len(plain) <= 60 else None
         if found is not None and found[2].isascii():
-            return -int(found[2]) if found[1] in ("-", "−", "–") else int(found[2])
+            return _told_once(-int(found[2]) if found[1] in ("-", "−", "–") else int(found[2]), plain)
         with suppress(AnswerSyntaxError):
             value = Rational().parse(plain, symbols).value
             if value.denominator == 1 and "," not in plain and "." not in plain:
@@ -87,3 +88,16 @@ class Integer:
     def describe(self) -> Mapping[str, Any]:
         """A whole number needs no further description."""
         return {}
+
+
+def _told_once(value: int, text: str) -> int:
+    """Give the value; raises AnswerSyntaxError where another whole number stands before it, `w = 3*3 - 2*4 = 2`."""
+    *before, last = EQUALS.split(text)
+    for side in before:
+        with suppress(AnswerSyntaxError):
+            other = Rational().parse(side, Symbols(())).value
+            if other.denominator == 1 and other != value:
+                break
+    else:
+        return value
+    raise AnswerSyntaxError(Reason.TWO_VALUES, len(text) - len(last) - 1, f"{side.strip()[:20]} ≠ {last.strip()[:20]}")

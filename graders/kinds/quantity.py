@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, ClassVar
 
+from graders.amounts import ROUNDED, SLACK, Amount, comparable, is_pair, one_value, sides
 from graders.angles import is_angle, without_last_degree
 from graders.asides import NAMED, refuse_direction, without_asides
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
@@ -22,7 +23,7 @@ from graders.language.piece import Piece
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.text import text_of
 from graders.language.tokens import MAX_LENGTH, SAME, Token, tokenize
-from graders.language.tree import Number, Tree, Unary, walk
+from graders.language.tree import Number, Tree, Unary
 from graders.units import Unit, fits, read_unit, readings, tidy
 from graders.verdict import RIGHT, Code, Verdict, wrong
 
@@ -30,24 +31,11 @@ GREATEST = 1e99
 ANGLE = (0, 0, 0, 1, 0)  # dimension
 LONGEST = 200  # characters of an amount that is read at a glance
 ANGLES = 4 * math.pi  # beyond it whole turns are no other way to write an angle
-ROUNDED = 2e-4  # relative, what rounding on the way adds to an answer
-SLACK = 1e-12  # so that a value on the printed border of the tolerance is inside
 PLAIN = re.compile(r"[-−]?[0-9]{1,30}(?:[.,][0-9]{1,30})?(?:[eE][-+]?[0-9]{1,2})?(?=[^\d.,eE^*/°'·×⋅\[(]|$)")
 THOUSANDS = re.compile(r"(?<![\d.,])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3}){1,6}(?!\d| *[/∕÷])")
 TIMES_TEN = re.compile(r"(?<=[\d ])[xXхХ](?= ?10 ?(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]))")  # 1.25 x 10^4
 NOTHING = Symbols(())
 WORDS = re.compile(r"[^\W\d]\w{0,23}")
-
-
-@dataclass(frozen=True, slots=True)
-class Amount:
-    """A number as typed, its unit as typed (None: read in the printed unit), and the value in SI units."""
-
-    tree: Tree
-    number: float
-    unit: Unit | None
-    unit_text: str
-    value: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,30 +68,19 @@ class Quantity:
             return self._amount(*plain)
         refuse_direction(text)
         try:
-            return self._read(text, symbols)
+            amount = self._read(text, symbols)
         except AnswerSyntaxError as error:
-            amount = self._told_twice(text, symbols)
-            if amount is None:
-                raise (error.reason is Reason.NEEDS_OPERAND and _formula_typed(text, symbols)) or error from None
-            return amount
+            told = sides(text, lambda side: self.parse(side, symbols))
+            if len(told) == 2 and is_pair(text) and all(side.amount.unit for side in told):
+                return one_value(told, text)
+            raise (error.reason is Reason.NEEDS_OPERAND and _formula_typed(text, symbols)) or error from None
+        return amount if is_latex(text) else self._as_told(amount, text, symbols)
 
-    def _told_twice(self, text: str, symbols: Symbols) -> Amount | None:
-        """Read one value in two units, to the more figures; None where the sides are no amounts with units."""
-        sides = text.split("=")
-        if len(sides) != 2 or len(text) > LONGEST:
-            return None
-        try:
-            amounts = [self.parse(side, symbols) for side in sides]
-        except AnswerSyntaxError:
-            return None
-        units = [amount.unit for amount in amounts if amount.unit]
-        if len(units) != 2:
-            return None
-        agree = fits(units[0], units[1]) or fits(units[1], units[0])
-        if not agree or abs(amounts[0].value - amounts[1].value) > sum(map(_rounding, amounts)) * (1 + SLACK):
-            told = " ≠ ".join(side.strip()[:20] for side in sides)
-            raise AnswerSyntaxError(Reason.TWO_VALUES, text.index("="), told)
-        return min(amounts, key=_rounding)
+    def _as_told(self, amount: Amount, text: str, symbols: Symbols) -> Amount:
+        """Look whether what stands in front of the amount that was read, `l = 0,5 m = 510 mm`, is the same value."""
+        told = [side for side in sides(text, lambda side: self.parse(side, symbols)) if side.literal(symbols)]
+        alike = [side for side in told if comparable(side.amount, amount)]
+        return one_value(alike, text) if len(alike) > 1 and alike[-1].amount == amount else amount
 
     def _read(self, text: str, symbols: Symbols) -> Amount:
         text = without_asides(text)
@@ -228,15 +205,6 @@ class Quantity:
     def describe(self) -> Mapping[str, Any]:
         """Give unit and tolerance of the field."""
         return {"unit": self.unit, "rtol": self.rtol, "atol": self.atol / read_unit(self.unit).factor}
-
-
-def _rounding(amount: Amount) -> float:
-    """Give half of the last figure of a number as typed, in SI units; of a computed one what rounding may add."""
-    numbers = [node for node in walk(amount.tree) if isinstance(node, Number)]
-    if len(numbers) != 1 or not amount.value:
-        return ROUNDED * abs(amount.value)
-    half = 0.5 * 10.0 ** (numbers[0].exponent - len(numbers[0].digits.partition(".")[2]))
-    return half * abs(amount.value / float(numbers[0].exact))
 
 
 def _bounded(number: float, value: float) -> float:

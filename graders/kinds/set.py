@@ -9,10 +9,11 @@ from html import escape
 from math import inf, pi
 from typing import Any, ClassVar
 
+from graders.amounts import Amount
 from graders.common_slips import CommonSlip, Slips
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
-from graders.kinds.quantity import Amount, Quantity
+from graders.kinds.quantity import Quantity
 from graders.language.latex_reader import is_latex, through
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from graders.kinds.quantity import Amount, Quantity
+from graders.amounts import Amount
+from graders.kinds.quantity import Quantity
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.piece import Piece
 from graders.language.program import Builder, Program, Runner

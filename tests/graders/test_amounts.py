@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -161,6 +163,15 @@ ANGLE, LENGTH = Quantity("deg"), Quantity("mm")
         (STRESS, "12 MPa=12,0 N/mm^2", 12e6),
         (LENGTH, "(1/4) m = 250 mm", 0.25),
         (LENGTH, "0 m = 0 mm", 0.0),
+        (LENGTH, "0,5 m ≈ 502 mm", 0.502),
+        (LENGTH, "l = 0,5 m = 502 mm", 0.502),
+        (LENGTH, "l = 0,5021 m = 502 mm", 0.5021),
+        (LENGTH, "l = 500 mm = 0,50 m = 50,0 cm", 0.5),
+        (LENGTH, "l = 12,34 = 12,3", 0.01234),
+        (ANGLE, "alpha2 = 0,78 = 45°", pi / 4),
+        (LENGTH, "l = 0,5 = 500 mm", 0.5),
+        (LENGTH, "l = 2*250 = 501", 0.501),
+        (LENGTH, "l = 2*0,25 m = 501 mm", 0.501),
     ],
 )
 def test_one_value_in_two_units_is_read_to_the_more_figures(field: Quantity, text: str, value: float) -> None:
@@ -174,10 +185,29 @@ def test_one_value_in_two_units_is_read_to_the_more_figures(field: Quantity, tex
         (ANGLE, "-0,01364 rad = -0,80°", "-0,01364 rad ≠ -0,80°"),
         (LENGTH, "0,50 m = 510 mm", "0,50 m ≠ 510 mm"),
         (STRESS, "12 Pa = 12 N", "12 Pa ≠ 12 N"),
+        (LENGTH, "5 mm = 6 mm", "5 mm ≠ 6 mm"),
+        (LENGTH, "0,5 m ≈ 610 mm", "0,5 m ≠ 610 mm"),
+        (LENGTH, "l = 0,5 m = 610 mm", "0,5 m ≠ 610 mm"),
+        (LENGTH, "l = 0,50 m = 510 mm", "0,50 m ≠ 510 mm"),
+        (LENGTH, "l = 500 mm = 0,5 m = 51 cm", "500 mm ≠ 51 cm"),
+        (LENGTH, "l = 500 = 510", "500 ≠ 510"),
+        (LENGTH, "l = -500 mm = 0,5 m", "-500 mm ≠ 0,5 m"),
     ],
 )
 def test_two_values_that_differ_are_both_named(field: Quantity, text: str, told: str) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         field.parse(text, NOTHING)
     assert (refused.value.reason, refused.value.proposal.found) == (Reason.TWO_VALUES, told)
-    assert refused.value.position == text.index("=")
+    assert refused.value.position == max(text.rfind("="), text.rfind("≈"))
+
+
+def test_what_looks_like_a_unit_but_is_a_symbol_here_tells_no_other_value() -> None:
+    assert LENGTH.parse("d = 20 m = 40 mm", Symbols(("m",))).value == pytest.approx(0.04)
+    with pytest.raises(AnswerSyntaxError, match="20 m ≠ 40 mm"):
+        LENGTH.parse("d = 20 m = 40 mm", Symbols(("z",)))
+
+
+def test_latex_that_tells_two_values_is_refused_with_both() -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        LENGTH.parse(r"l = 0{,}5\,\mathrm{m} = 610\,\mathrm{mm}", NOTHING)
+    assert refused.value.reason is Reason.TWO_VALUES

@@ -28,6 +28,27 @@ def test_a_count_is_read_with_its_word_and_as_a_sum(typed: str) -> None:
     assert Integer().parse(typed, NOTHING) == 47
 
 
+@pytest.mark.parametrize(
+    ("typed", "place", "told"),
+    [
+        ("w = 46 = 47", 7, "46 ≠ 47"),
+        ("W = 3*3 - 2*4 = 2", 14, "3*3 - 2*4 ≠ 2"),
+        ("3*3 - 2*4 ≈ 2", 10, "3*3 - 2*4 ≠ 2"),
+        ("w = 1 = 2 = 2", 10, "1 ≠ 2"),
+    ],
+)
+def test_two_counts_that_differ_are_both_named(typed: str, place: int, told: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Integer().parse(typed, NOTHING)
+    found = refused.value
+    assert (found.reason, found.position, found.proposal.found) == (Reason.TWO_VALUES, place, told)
+
+
+@pytest.mark.parametrize("typed", ["W = 3*17 - 2*2 = 47", "w = 47.0 = 47", "w = 46.9 = 47", "3n - 2*2 = 47"])
+def test_a_count_may_stand_behind_its_computation(typed: str) -> None:
+    assert Integer().parse(typed, NOTHING) == 47
+
+
 @pytest.mark.parametrize("typed", ["47 mm", "95/2", "47 48", "2*23,5", "zębów", "47 or 48", "9^99"])
 def test_what_is_no_count_is_refused(typed: str) -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
