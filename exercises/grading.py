@@ -311,7 +311,24 @@ class Seen:
         for slip, value in slipped(self.solved, step, own):
             if slip not in found and self._agrees(name, value):
                 found.add(slip)
-        return frozenset(found)
+        return frozenset() if found and own is None and self._contradicted(name, step) else frozenset(found)
+
+    def _contradicted(self, name: str, step: str) -> bool:
+        """Tell whether a right number that stands on a step would be wrong with what was typed for the step."""
+        value = self.solved.answers[name].carried(self.given[name])
+        return isinstance(value, float | tuple | str) and any(
+            verdict is RIGHT and not self._stands(later, step, value) for later, verdict in self.judged.verdicts.items()
+        )
+
+    def _stands(self, later: str, step: str, value: Value) -> bool:
+        """Tell whether an answer is right with another value of a step too."""
+        behind = self.solved.step_of(later)
+        if self.solved.answers[later].kind not in MEASURED or step not in self.solved.below(behind):
+            return True
+        try:
+            return self._is(later, self.solved.onward(step, value, behind)[behind])
+        except UndefinedError:
+            return False
 
     def beside(self, expected: Predictions, missed: Iterable[str]) -> Iterator[Slips]:
         """Give the common slips that explain the answers a known slip does not; later ones may follow from them."""

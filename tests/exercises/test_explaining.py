@@ -77,6 +77,16 @@ def test_a_slip_in_one_place_of_a_line_is_named(line: str, slip: CommonSlip) -> 
     assert (found.mistake, found.slip) == (None, slip)
 
 
+def test_no_slip_is_read_out_of_a_number_on_which_a_right_one_stands() -> None:
+    arm = variants.deal("tmm2_oop", 57)
+    line = str(solved(arm).steps["a_y"]).replace(" + ", " - ", 1)
+    values = solved(arm).again(replaced={"a_y": line})
+    alone = handed_in(arm, a_y=f"{values['a_y']:.5g}")
+    assert (alone.mistake, alone.slip, alone.verdicts["a_D"].code) == (None, None, Code.RIGHT)
+    followed = handed_in(arm, a_y=f"{values['a_y']:.5g}", a_D=f"{values['a_D']:.5g}")
+    assert (followed.mistake, followed.slip) == (None, CommonSlip.TERM_SIGN)
+
+
 def test_a_slip_in_a_line_that_is_not_asked_for_is_named() -> None:
     typed = solved(BEAM).again(replaced={"W": "b*h^2/3"})["sigma_max"]
     assert handed_in(BEAM, sigma_max=f"{typed} Pa").slip is CommonSlip.FACTOR_TWO
