@@ -7,8 +7,8 @@ found and proved, and the other must be zero there.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
 from itertools import islice, product
 
 from graders.equality import Finding
@@ -30,14 +30,27 @@ from graders.solutions.scene import (
     Scene,
     Side,
     TooMuchWork,
+    exact,
     exactly,
     extreme,
-    moved,
     used_symbols,
 )
-from graders.solutions.zeros import NODES, Line, Zero, away, crossing, inside, only, parabola, scanned
+from graders.solutions.zeros import (
+    NODES,
+    Line,
+    Zero,
+    away,
+    crossing,
+    each_way,
+    jumps,
+    only,
+    parabola,
+    same_side,
+    scanned,
+)
 
 ENOUGH = 3  # zeros of each side that the other must share
+FIRST = 2  # lines on which the zeros of a parabola are looked at before their ways are told
 STARTS = 8  # points from which zeros are looked for all over the box
 SCANNED = 2  # lines that are searched from end to end
 TRIED, REGIONS = 3, 12  # points at which a side may be zero in a whole region: looked at early, and in all
@@ -86,29 +99,21 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
             return UNDECIDED
 
 
-@dataclass(slots=True)
+@dataclass(frozen=True, slots=True)
 class Factor:
     """A factor of a side: zero there, the whole is.
 
     Attributes:
         side: The side, of this factor alone.
         tree: As it is written.
-        along: The degrees in the unknown of all slots of its program, as they are written.
+        slot: Where its value stands in the program.
+        degree: Its degree in the unknown, as it is written.
     """
 
     side: Side
     tree: Tree
-    along: Sequence[int]
-
-    @property
-    def slot(self) -> int:
-        """Give the place of its value in the program."""
-        return self.side.pair.program.outputs[self.side.places[0]]
-
-    @property
-    def degree(self) -> int:
-        """Give its degree in the unknown, as it is written."""
-        return self.along[self.slot]
+    slot: int
+    degree: int
 
 
 class Pair:
@@ -118,6 +123,7 @@ class Pair:
         self.scene, self.trees, self.unknown = scene, trees, unknown
         self.name = scene.names[unknown]
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
+        self.settled = dict[tuple[float, ...], list[Zero]]()  # zeros of both sides, by their lines
         self.both = Residuals(scene, [[tree] for tree in trees], Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.ratio = Ratio(self.both, unknown)
@@ -135,8 +141,14 @@ class Pair:
         whole = all(part == [tree] for part, tree in zip(parts, self.trees, strict=True))
         pair = self.both if whole else Residuals(self.scene, parts, self.both.effort)
         along = self.ratio.along if whole else degrees_along(pair.program, self.unknown)
+        slots = [
+            pair.program.outputs[start : start + len(part)] for start, part in zip(pair.starts, parts, strict=False)
+        ]
         return [
-            [Factor(Side(pair, which, (k,)), tree, along) for k, tree in enumerate(part)]
+            [
+                Factor(Side(pair, which, (k,)), tree, slot, along[slot])
+                for k, (tree, slot) in enumerate(zip(part, slots[which], strict=True))
+            ]
             for which, part in enumerate(parts)
         ]
 
@@ -171,14 +183,32 @@ class Pair:
         """Find zeros of each and test the other there."""
         shared, unsure = [0, 0], False
         for which, zero in self._zeros():
-            match beside(self.sides[1 - which], zero):
+            match Beside.ZERO if zero.both else beside(self.sides[1 - which], zero):
                 case Beside.OTHER | Beside.UNDEFINED:
                     return self._apart(which, zero)
                 case Beside.ZERO:
                     shared[which] += 1
+                    self._settle(zero)
                 case Beside.UNSURE:
                     unsure = True
         return EQUAL if min(shared) >= ENOUGH - 1 and sum(shared) >= 2 * ENOUGH and not unsure else UNDECIDED
+
+    def _settle(self, zero: Zero) -> None:
+        """Remember a zero of both sides on its line along the unknown."""
+        if zero.base and zero.free == (self.unknown,) and not zero.both:
+            self.settled.setdefault(zero.base, []).append(replace(zero, both=True))
+
+    def _known(self, factor: Factor, base: Sequence[float]) -> list[Zero]:
+        """Give the zeros on a line that both sides share, if this factor is all of its side and not zero elsewhere."""
+        known, which = self.settled.get(tuple(base), []), factor.side.which
+        if not known or len(self.factors[which]) > 1 or (self._jumps and not self._plain(factor)):
+            return []
+        value = self.both.ball(exact(tuple(base)), which)
+        return known if value is not None and not value.contains(0) else []
+
+    @cached_property
+    def _jumps(self) -> bool:
+        return jumps(self.both.program)
 
     def _zeros(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
@@ -196,10 +226,13 @@ class Pair:
                 if self._holds(which, zero):
                     yield which, zero
 
+    def _fraction(self, which: int) -> bool:
+        """Tell whether the zeros of a side are looked for in its numerator."""
+        return self.numerators[which] is not self.trees[which]
+
     def _holds(self, which: int, zero: Zero) -> bool:
         """Tell whether a zero of a numerator is one of the side: it may be a pole."""
-        fraction = self.numerators[which] is not self.trees[which]
-        return not fraction or beside(self.sides[which], zero) is Beside.ZERO
+        return zero.both or not self._fraction(which) or beside(self.sides[which], zero) is Beside.ZERO
 
     def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
         points = self.scene.points
@@ -219,17 +252,17 @@ class Pair:
         """Tell whether all zeros of each side on a line along the unknown are found at once."""
         return all(self._plain(factor) for factors in self.factors for factor in factors)
 
-    def _in_turn(self, source: Callable[[int], Iterator[Zero]]) -> Iterator[tuple[int, Zero]]:
-        """Give zeros of one side and of the other, first of that of the lower degree, whose zeros cost less."""
+    def _in_turn(self, source: Callable[[int], Iterator[Iterable[Zero]]]) -> Iterator[tuple[int, Zero]]:
+        """Give the zeros of both sides line by line, first of that of the lower degree, whose zeros cost less."""
         degrees = [max(factor.degree for factor in factors) for factors in self.factors]
         sources = [(which, source(which)) for which in sorted((0, 1), key=degrees.__getitem__)]
         while sources:
             for side in list(sources):
-                zero = next(side[1], None)
-                if zero is None:
+                zeros = next(side[1], None)
+                if zeros is None:
                     sources.remove(side)
                 else:
-                    yield side[0], zero
+                    yield from ((side[0], zero) for zero in zeros)
 
     def _regions(self, points: Sequence[Sequence[float]]) -> Iterator[tuple[int, Zero]]:
         """Give points in the middle of the box where a side is zero: an identity, a bracket that is not open."""
@@ -265,64 +298,82 @@ class Pair:
 
     def _on(self, factor: Factor, base: Sequence[float], nodes: int = NODES) -> Iterable[Zero]:
         """Give the zeros of a factor on the line along the unknown through a point."""
-        line, degree = Line(factor.side, base, self.unknown), factor.degree
+        line, degree, known = Line(factor.side, base, self.unknown), factor.degree, self._known(factor, base)
+        if self._plain(factor) and len(known) == 1 + (degree == 2):
+            return known
         found = parabola(line) if degree == 2 else None
         if found is not None:
             return found
         if degree == 2 or not self._plain(factor):
-            return islice(scanned(line, nodes), MOST)
-        zero = crossing(line) if degree == 1 else only(line)
+            return islice(scanned(line, nodes, known), MOST)
+        zero = crossing(line) if degree == 1 else only(line, partial(self._excluded, 1 - factor.side.which))
         return [] if zero is None else [zero]
 
-    def _solved(self, which: int) -> Iterator[Zero]:
+    def _excluded(self, which: int, zero: Zero) -> bool:
+        """Tell whether a side is proved to have a value, and no zero, wherever a zero of the other one may be."""
+        value = None if self._fraction(1 - which) else self.both.ball(zero.point, which)
+        return value is not None and not value.contains(0)
+
+    def _solved(self, which: int) -> Iterator[Iterable[Zero]]:
         """Give zeros of the factors whose zeros on a line are found at once."""
         for factor in filter(self._plain, self.factors[which]):
-            found = (zero for base in self._bases(factor) for zero in self._on(factor, base))
-            yield from found if factor.degree == 2 else islice(found, ENOUGH + 1)
+            left = ENOUGH + 1
+            for base in self._bases(factor):
+                found = list(self._on(factor, base))
+                yield found
+                left -= len(found) if factor.degree != 2 else 0
+                if left <= 0:
+                    break
 
-    def _bases(self, factor: Factor) -> Iterable[Sequence[float]]:
+    def _bases(self, factor: Factor) -> Iterator[Sequence[float]]:
         """Give points for lines; of a parabola some for each way in which its zeros lie in the range."""
-        if factor.degree != 2:
-            return extreme(self.scene)
-        bases, (low, high) = list(extreme(self.scene)), self.scene.ranges[self.unknown]
-        points = [tuple(moved(base, self.unknown, x)) for base in bases for x in (low, (low + high) / 2, high)]
-        values = iter(factor.side.pair.many((factor.side.which, factor.side.only[0]), points))
-        told: dict[tuple[bool, ...], list[Sequence[float]]] = {}
-        for base, three in zip(bases, zip(values, values, values, strict=True), strict=True):
-            told.setdefault(inside(*three), []).append(base)
-        return [base for way, alike in told.items() if any(way) for base in alike[:ENOUGH]]
+        bases, first = extreme(self.scene), FIRST if factor.degree == 2 else STARTS
+        yield from bases[:first]
+        values = self._along(factor, bases)
+        if factor.degree == 2:
+            chosen = each_way(values, ENOUGH)
+        else:
+            chosen = [k for k, (before, _, after) in enumerate(values) if not same_side(before, after)]
+        yield from (bases[k] for k in chosen if k >= first)
 
-    def _spread(self, which: int) -> Iterator[Zero]:
+    def _along(self, factor: Factor, bases: Sequence[Sequence[float]]) -> list[tuple[float, ...]]:
+        """Give the values in doubles at the ends and in the middle of the range on each of some lines."""
+        at, (low, high) = self.unknown, self.scene.ranges[self.unknown]
+        points = [(*base[:at], x, *base[at + 1 :]) for base in bases for x in (low, (low + high) / 2, high)]
+        values = factor.side.pair.many((factor.side.which, factor.side.only[0]), points)
+        return list(zip(values[::3], values[1::3], values[2::3], strict=True))
+
+    def _spread(self, which: int) -> Iterator[Iterable[Zero]]:
         """Give zeros all over the box and in every branch: by a symbol in which a factor is affine, else by steps."""
         for factor in self.factors[which]:
             yield from self._spread_of(factor, used_symbols(self.scene, (self.trees[which],)))
 
-    def _spread_of(self, factor: Factor, used: Sequence[int]) -> Iterator[Zero]:
+    def _spread_of(self, factor: Factor, used: Sequence[int]) -> Iterator[Iterable[Zero]]:
         others, count = [at for at in used if at != self.unknown], 0
         symbols, moving = self._affine(factor), ((self.unknown,), used, others)
         yield from self._in_branches(factor)
         if self._enough and self._all_plain:
             return
         affine = [at for at in symbols if at in others or at == self.unknown]
-        left = []
+        solved, left = self._plain(factor) and self._enough, []
         for k, start in enumerate(islice(extreme(self.scene), STARTS)):
             zero = self._beside(factor.side, start, affine)
-            if zero is None:
+            if zero is None and not solved:
                 left.append((start, moving[k % 3]))
-            else:
+            elif zero is not None:
                 count += 1
-                yield zero
+                yield [zero]
         for start, along in left:
             zero = descended(factor.side, start, along) if not affine or count < ENOUGH else None
             if zero is not None:
                 count += 1
-                yield zero
+                yield [zero]
 
-    def _in_branches(self, factor: Factor) -> Iterator[Zero]:
+    def _in_branches(self, factor: Factor) -> Iterator[Iterable[Zero]]:
         """Give zeros with the parameters of points beside everything that turns."""
         for k, start in enumerate(self.branches):
             if k < SEARCHED or self._plain(factor):
-                yield from self._on(factor, start, FEWER)
+                yield self._on(factor, start, FEWER)
 
     def _beside(self, side: Side, start: Sequence[float], affine: Sequence[int]) -> Zero | None:
         for at in affine[:3]:
@@ -334,7 +385,11 @@ class Pair:
 
     def _along_lines(self, which: int, known: Sequence[Zero]) -> Iterator[Zero]:
         """Search whole lines along the unknown through points near zeros, else through any points."""
-        bases = [[float(x) for x in zero.point] for zero in known[:: max(1, len(known) // SCANNED)]]
-        bases = bases[:SCANNED] or [list(point) for point in self.scene.points[: 2 * SCANNED]]
+        near = known[:: max(1, len(known) // SCANNED)][:SCANNED]
+        bases = list(map(self._base, near)) or self.scene.points[: 2 * SCANNED]
         for base, factor in product(bases, self.factors[which]):
             yield from self._on(factor, base)
+
+    def _base(self, zero: Zero) -> Sequence[float]:
+        """Give the line along the unknown on which a zero stands."""
+        return zero.base if zero.free == (self.unknown,) and zero.base else tuple(map(float, zero.point))

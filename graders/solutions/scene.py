@@ -88,11 +88,17 @@ def unit_points(count: int, seed: bytes) -> tuple[tuple[float, ...], ...]:
     )
 
 
-def extreme(scene: Scene) -> Iterator[list[float]]:
+def extreme(scene: Scene) -> tuple[tuple[float, ...], ...]:
     """Give the points of a scene in turn as they are and pushed towards the corners of the box."""
-    for point in scene.points:
-        yield list(point)
-        yield [_pushed(x, *ends) for x, ends in zip(point, scene.ranges, strict=True)]
+    return _extreme(scene.points, scene.ranges)
+
+
+@lru_cache(maxsize=512)
+def _extreme(
+    points: tuple[tuple[float, ...], ...], ranges: tuple[tuple[float, float], ...]
+) -> tuple[tuple[float, ...], ...]:
+    pushed = (tuple([_pushed(x, *ends) for x, ends in zip(point, ranges, strict=True)]) for point in points)
+    return tuple([point for pair in zip(points, pushed, strict=True) for point in pair])
 
 
 def used_symbols(scene: Scene, trees: Sequence[Tree]) -> list[int]:

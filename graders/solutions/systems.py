@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import islice, product
+from itertools import product
 
 from flint import arb, arb_mat
 
@@ -166,4 +166,4 @@ class Systems:
     @cached_property
     def starts(self) -> list[list[float]]:
         """Give points all over the box and beside everything that turns."""
-        return [*(start for start in self._found.points for _ in range(3)), *islice(extreme(self.scene), STARTS)]
+        return [*(start for start in self._found.points for _ in range(3)), *map(list, extreme(self.scene)[:STARTS])]

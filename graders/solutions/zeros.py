@@ -8,24 +8,37 @@ from dataclasses import dataclass, field
 
 from flint import arb
 
+from graders.language.balls import precision
+from graders.language.program import Program
 from graders.solutions.scene import Side, exact
 
 NODES = 65
 DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
 NEAR, FAR = arb(2) ** -88, arb(2) ** -40  # of the range: where another residual is compared with its value at a zero
-TINY = arb(2) ** -150
+TINY, LAST = arb(2) ** -150, arb(2) ** -190
 STEEP = arb(2) ** 20
 UNEVEN = 16.0  # ratio of the values at two ends, beyond which the middle is nearer than where a straight line crosses
-CLOSED, CLOSE = 1e-13, 1e-3  # of the way: how far a change of sign is followed in doubles; where balls go on alone
+CLOSED, CLOSE = 1e-13, 1e-10  # of the way: how far a change of sign is followed in doubles; where balls go on alone
+ROUGH = 2.0**-32  # of the range: how far from a zero in doubles its sign is tested
+SURE, HALVES = 128, 90  # bits up to which a ball that is finite means continuous; how often a way is halved
 AWAY = 1e-6  # of the greater value at an end: with less at the other one there may be a zero after all
 
 
 @dataclass(frozen=True, slots=True)
 class Zero:
-    """A zero: the point with balls for coordinates, and the symbols along which it was found."""
+    """A zero of a side.
+
+    Attributes:
+        point: The point, with balls for coordinates.
+        free: The symbols along which it was found.
+        base: A point of the line on which it was found, if there is one.
+        both: Whether it is known to be a zero of the other side, too.
+    """
 
     point: tuple[arb, ...]
     free: tuple[int, ...]
+    base: tuple[float, ...] = ()
+    both: bool = False
 
     def named(self, names: Sequence[str]) -> tuple[tuple[str, float], ...]:
         """Give the point as a witness."""
@@ -41,9 +54,10 @@ class Line:
     at: int
     index: int = 0
     exactly: list[arb] = field(init=False)  # its points, but for the symbol
+    doubly: list[float] = field(init=False)
 
     def __post_init__(self) -> None:
-        self.exactly = list(exact(tuple(self.base)))
+        self.exactly, self.doubly = list(exact(tuple(self.base))), list(self.base)
 
     def ball(self, x: arb) -> arb | None:
         """Enclose the value at a place."""
@@ -52,9 +66,8 @@ class Line:
 
     def double(self, x: float) -> float:
         """Give the value in doubles; NaN where it has none."""
-        point = list(self.base)
-        point[self.at] = x
-        values = self.side.doubles(point)
+        self.doubly[self.at] = x
+        values = self.side.doubles(self.doubly)
         return values[self.index] if values else math.nan
 
     @property
@@ -65,7 +78,7 @@ class Line:
     def zero(self, x: arb) -> Zero:
         """Give the zero at a place."""
         self.exactly[self.at] = x
-        return Zero(tuple(self.exactly), (self.at,))
+        return Zero(tuple(self.exactly), (self.at,), tuple(self.base))
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,24 +152,61 @@ def inside(first: float, middle: float, last: float) -> tuple[bool, ...]:
     return tuple([abs(way * math.sqrt(square) / abs(bend) - slope / bend) <= 2 for way in (-1, 1)])
 
 
-def only(line: Line) -> Zero | None:
-    """Give the zero of a residual that only rises or only falls along the symbol, if there is one in the range."""
+def never(_: Zero) -> bool:
+    """Take no zero in doubles for near enough."""
+    return False
+
+
+def each_way(values: Sequence[tuple[float, ...]], most: int) -> list[int]:
+    """Choose some parabolas for each way in which zeros lie in the range, by their values as `inside` takes them."""
+    told: dict[tuple[bool, ...], list[int]] = {}
+    for k, three in enumerate(values):
+        told.setdefault(inside(*three), []).append(k)
+    return [k for way, alike in told.items() if any(way) for k in alike[:most]]
+
+
+def only(line: Line, enough: Callable[[Zero], bool] = never) -> Zero | None:
+    """Give the zero of a residual that only rises or only falls along the symbol, if there is one in the range.
+
+    Args:
+        line: The residual and the symbol.
+        enough: Tells of a zero in doubles whether it is near enough.
+    """
     (a, b), (before, after) = line.ends, map(line.double, line.ends)
     if not before * after < 0:
         return None
-    width = arb(b) - arb(a)
-    place = polished(line.ball, arb(_closed_in(line, (a, b), (before, after), CLOSE)), width)
+    width, start = arb(b) - arb(a), _closed_in(line, (a, b), (before, after), CLOSE)
+    rough = _roughly(line, start)
+    if rough is not None and enough(rough):
+        return rough
+    place = polished(line.ball, arb(start), width)
     if place is None or not line.side.scene.inside(line.at, place):
-        return None
-    left, right = line.ball(place - DELTA * width), line.ball(place + DELTA * width)
+        return rough
+    return _between_signs(line, place, DELTA * width) or rough
+
+
+def _roughly(line: Line, start: float) -> Zero | None:
+    """Give a zero that is known in doubles, if it lies inside the range."""
+    low, high = line.ends
+    step = ROUGH * (high - low)
+    return _between_signs(line, arb(start), arb(step)) if low < start - step and start + step < high else None
+
+
+def _between_signs(line: Line, place: arb, step: arb) -> Zero | None:
+    """Give a zero by the opposite signs a step before and behind a place."""
+    left, right = line.ball(place - step), line.ball(place + step)
     if left is None or right is None or not left * right < 0:
         return None
-    return line.zero(arb(place.mid(), DELTA * width))
+    return line.zero(arb(place.mid(), step))
 
 
 def away(line: Line) -> bool:
     """Tell in doubles whether a residual that is affine in the symbol has one sign at both ends of the range."""
-    before, after = (line.double(end) for end in line.ends)
+    return same_side(*map(line.double, line.ends))
+
+
+def same_side(before: float, after: float) -> bool:
+    """Tell of the values of an affine residual at both ends whether it has one sign between them."""
     return before * after > 0 and min(abs(before), abs(after)) > AWAY * max(abs(before), abs(after))
 
 
@@ -165,24 +215,39 @@ def negligible(value: arb, beside: Sequence[arb]) -> bool:
     return bool(value.contains(0) and value.abs_upper() <= TINY * max(other.abs_upper() for other in beside))
 
 
-def scanned(line: Line, nodes: int = NODES) -> Iterator[Zero]:
-    """Find the zeros of a residual along a symbol, also those it touches without a change of sign."""
+def scanned(line: Line, nodes: int = NODES, known: Sequence[Zero] = ()) -> Iterator[Zero]:
+    """Find the zeros of a residual along a symbol, also those it touches without a change of sign.
+
+    Args:
+        line: The residual and the symbol.
+        nodes: How many values are looked at.
+        known: Zeros of it on the line; where one of them stands, no other is looked for.
+    """
     low, high = line.ends
     places = [low + (high - low) * k / (nodes - 1) for k in range(nodes)]
     index = line.side.only[line.index] if line.side.only else line.index
     values = line.side.pair.along((line.side.which, index), line.base, line.at, places)
+    sizes = list(map(abs, values))
     for k in range(nodes - 1):
+        ends = places[k], places[k + 1]
         if values[k] * values[k + 1] < 0 or (values[k] == 0) != (values[k + 1] == 0):
-            yield from _between(line, (places[k], places[k + 1]), (values[k], values[k + 1]))
-        elif k and _dips(values[k - 1], values[k], values[k + 1]):
-            near = touching(line, places[k - 1], places[k + 1])
-            if near is not None:
-                yield near
+            yield from _told(line, ends, known) or _between(line, ends, (values[k], values[k + 1]))
+        elif k and sizes[k - 1] > sizes[k] <= sizes[k + 1] and _dips(values[k - 1], values[k], values[k + 1]):
+            ends = places[k - 1], places[k + 1]
+            touched = next(iter(_told(line, ends, known)), None) or touching(line, *ends)
+            if touched is not None:
+                yield touched
+
+
+def _told(line: Line, ends: tuple[float, float], known: Sequence[Zero]) -> list[Zero]:
+    """Give the only zero between two places that is known."""
+    found = [zero for zero in known if ends[0] < float(zero.point[line.at]) < ends[1]]
+    return found if len(found) == 1 else []
 
 
 def _dips(before: float, here: float, after: float) -> bool:
-    """Tell a value that is least in size between two of its sign, and nearer to zero than to them."""
-    if not (before * here > 0 and here * after > 0 and abs(here) < abs(before) and abs(here) <= abs(after)):
+    """Tell of a value that is less in size than those beside it whether they are of its sign and it is near to zero."""
+    if not (before * here > 0 and here * after > 0):
         return False
     bend, slope = before - 2 * here + after, (after - before) / 2
     return abs(here - slope * slope / (2 * bend)) < abs(here) / 2 or abs(here) < (abs(before) + abs(after)) / 8
@@ -190,7 +255,8 @@ def _dips(before: float, here: float, after: float) -> bool:
 
 def _between(line: Line, ends: tuple[float, float], values: tuple[float, float]) -> Iterator[Zero]:
     """Close in on a change of sign, then prove it."""
-    near = proved(line, ends[values.index(0)] if 0 in values else _closed_in(line, ends, values, CLOSED))
+    start = ends[values.index(0)] if 0 in values else _closed_in(line, ends, values, CLOSED)
+    near = proved(line, start) or steep(line, start)
     if near is not None:
         yield near
 
@@ -219,7 +285,7 @@ def _closed_in(line: Line, ends: tuple[float, float], values: tuple[float, float
     return x if a <= x <= b else (a + b) / 2
 
 
-def proved(line: Line, start: float) -> Zero | None:
+def proved(line: Line, start: float | arb) -> Zero | None:
     """Polish a zero by secant steps in balls and prove it: opposite signs beside it, and no jump or pole there."""
     low, high = line.ends
     width = arb(high) - arb(low)
@@ -234,6 +300,41 @@ def proved(line: Line, start: float) -> Zero | None:
         return None
     enclosure = arb(place.mid(), step)
     return line.zero(enclosure) if line.ball(enclosure) is not None else None
+
+
+def steep(line: Line, start: float) -> Zero | None:
+    """Prove a zero that steps do not close in on by halves; where that fails its place is known in doubles only."""
+    if jumps(line.side.pair.program):
+        return None
+    rough, width = _roughly(line, start), arb(line.ends[1]) - arb(line.ends[0])
+    with precision(SURE):  # below it nothing is cut at the edge of a domain: finite means continuous
+        if rough is None or line.ball(rough.point[line.at]) is None:
+            return None
+    return proved(line, _halved(line, arb(start), ROUGH * width)) or rough
+
+
+def jumps(program: Program) -> bool:
+    """Tell whether a program may change its sign at a jump: its balls are finite there."""
+    return any(
+        name in ("sign", "atan2") or (name == "macaulay" and not _opens(program, arguments[1]))
+        for name, arguments in program.operations
+    )
+
+
+def _opens(program: Program, order: int) -> bool:
+    """Tell the order of a bracket that opens without a jump: a number above zero."""
+    return order < 0 and bool(program.literals[-1 - order].digits.strip("0."))
+
+
+def _halved(line: Line, place: arb, step: arb) -> arb:
+    """Halve the way between opposite signs."""
+    before = line.ball(place - step)
+    for _ in range(HALVES):
+        step /= 2
+        value = line.ball(place)
+        same = value is not None and before is not None and value * before > 0
+        place = (place + step if same else place - step).mid()
+    return place
 
 
 def secant(line: Line, start: float) -> Zero | None:
@@ -259,7 +360,7 @@ def polished(function: Callable[[arb], arb | None], start: arb, width: arb) -> a
         if abs(step) > width:
             return None
         one, first, two = two, second, (two - step).mid()
-        if abs(step) < TINY * TINY * width or abs(step) < arb(2) ** -190 * width:
+        if abs(step) < LAST * width:
             return two
         second = function(two)
     return None

@@ -9,9 +9,11 @@ from random import Random
 import pytest
 
 from graders.equality import Finding
+from graders.language import Symbols, parse
 from graders.language.balls import precision
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
+from graders.language.tree import Relation
 from graders.solutions.equations import Found, Pair, compare_equations
 from graders.solutions.reduction import degrees, degrees_along, reduced, residual
 from graders.solutions.scene import BITS, WORK, scene_of
@@ -128,15 +130,27 @@ def test_a_root_that_few_values_of_the_others_bring_into_the_range_counts() -> N
     assert compare_equations(one_root, circle, scene, "s").finding is Finding.DIFFERENT
 
 
+def test_a_root_counts_that_steps_do_not_close_in_on() -> None:
+    ranges = {"sx": (-2e8, 2e8), "sy": (-2e8, 2e8), "t": (-1e8, 1e8), "s": (-4e8, 4e8)}
+    scene = scene_of(tuple(ranges), tuple(ranges.values()), b"")
+    texts = "s = (sx + sy)/2 + sqrt(((sx - sy)/2)^2 + t^2)", "atan(s^2 - (sx + sy)*s + sx*sy - t^2) = atan(0)"
+    greater, both = (parse(text, Symbols(ranges)) for text in texts)
+    assert isinstance(greater, Relation)
+    assert isinstance(both, Relation)
+    found = compare_equations(greater, both, scene, "s")
+    assert (found.finding, found.lost) == (Finding.DIFFERENT, True)
+
+
 @pytest.mark.parametrize(
     ("unknown", "one", "other", "most"),
     [
         ("l3", "l2^2 = (l3 - l1*cos(a1))^2 + (l1*sin(a1))^2", "l3 = l1*cos(a1) + sqrt(l2^2 - (l1*sin(a1))^2)", 4000),
-        ("y", "exp(-y*a) = b", "y = -ln(b)/a", 1500),
-        ("x", "16*a/(pi*x^3) = b", "x = root(16*a/(pi*b); 3)", 1800),
-        ("a2", "tan(a2) = a/b", "a2 = atan2(a; b)", 1200),
-        ("y", "a/(y + b) = 1/3", "y = 3*a - b", 1500),
-        ("w3", "(w1 - w3)/(w2 - w3) = -b/a", "w3*(a + b) = w1*a + w2*b", 1500),
+        ("y", "exp(-y*a) = b", "y = -ln(b)/a", 600),
+        ("x", "16*a/(pi*x^3) = b", "x = root(16*a/(pi*b); 3)", 800),
+        ("a2", "tan(a2) = a/b", "a2 = atan2(a; b)", 500),
+        ("y", "a/(y + b) = 1/3", "y = 3*a - b", 800),
+        ("w3", "(w1 - w3)/(w2 - w3) = -b/a", "w3*(a + b) = w1*a + w2*b", 800),
+        ("y", "|y| = a", "y^2 = a^2", 3500),
     ],
 )
 def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from graders.language import Symbols, parse
 from graders.language.balls import precision
 from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side
-from graders.solutions.zeros import Line, Zero, inside, only, parabola, scanned
+from graders.solutions.zeros import Line, Zero, inside, jumps, only, parabola, scanned, steep
 
 SCENE = Scene(("x", "p", "q"), ((-1.0, 3.0), (-4.0, 4.0), (-4.0, 4.0)), ())
 
@@ -71,3 +71,51 @@ def test_the_only_zero_is_that_of_a_scan(text: str, q: float) -> None:
 def test_without_a_change_of_sign_between_the_ends_there_is_no_zero(text: str) -> None:
     with precision(BITS):
         assert only(line(text)) is None
+
+
+@given(st.floats(-0.9, 2.9))
+def test_a_zero_in_doubles_is_taken_where_it_is_near_enough(p: float) -> None:
+    with precision(BITS):
+        rough, fine = only(line("exp(x) - exp(p)", p), lambda _: True), only(line("exp(x) - exp(p)", p))
+    assert rough is not None
+    assert fine is not None
+    assert rough.point[0].contains(arb(p))
+    assert fine.point[0].contains(arb(p))
+    assert rough.point[0].rad() > fine.point[0].rad()
+    assert float(rough.point[0].rad()) < 1e-8
+    assert float(fine.point[0].rad()) < 1e-40
+
+
+def test_a_zero_that_is_known_is_not_looked_for_again() -> None:
+    known = Zero((arb(0.99, 1e-3),), (0,), both=True)
+    found = list(scanned(line("sin(3*(x - 0.99))*exp(x)"), known=[known]))
+    assert [zero.both for zero in found] == [False, True, False]
+    assert found[1] is known
+
+
+def test_of_two_known_zeros_in_one_place_each_is_looked_for() -> None:
+    known = [Zero((arb(x),), (0,), both=True) for x in (0.985, 0.995)]
+    assert [zero.both for zero in scanned(line("sin(3*(x - 0.99))*exp(x)"), known=known)] == [False] * 3
+
+
+@pytest.mark.parametrize("size", ["1e17", "1e30", "1e60"])
+def test_a_zero_on_which_steps_do_not_close_in_is_proved_by_halves(size: str) -> None:
+    with precision(BITS):
+        found = list(scanned(line(f"atan({size}*(x^2 - 2)) - atan(0)")))
+        assert [zero.point[0].contains(arb(2).sqrt()) for zero in found] == [True]
+
+
+@pytest.mark.parametrize(
+    "text", ["sign(x - p)", "atan2(x - p; -1)", "<x - p>^0 - 1/2", "1/(x - p)", "tan(x - p + pi/2)"]
+)
+def test_a_jump_and_a_pole_are_no_steep_zeros(text: str) -> None:
+    with precision(BITS):
+        assert steep(line(text, 0.7), 0.7) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [("<x>^1 - q", False), ("<x>^0 - q", True), ("<x>^p - q", True), ("sign(x)", True), ("tan(x)", False)],
+)
+def test_what_jumps_is_told_by_its_operations(text: str, expected: bool) -> None:
+    assert jumps(line(text).side.pair.program) is expected
