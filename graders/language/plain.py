@@ -17,6 +17,8 @@ PLAIN = re.compile(r"[A-Za-z0-9_ .+\-*/^();<>]{1,250}")
 SIGNS = "+-*/^();<>"
 BETWEEN = re.compile(r"\] ?[,;] ?\[")
 DECIMAL = re.compile(r"\d,\d")
+POWER_OF_TEN = re.compile(r"(?<![\w.])(\d[\d.]{0,39}e)-(?=\d{1,3}(?![\w.]))")  # 1e-6, which is no difference
+LITERAL = re.compile(r"(\d+(?:\.\d+)?)(?:e(!?\d{1,3}))?")
 PI = Name("pi")
 LONGEST = 1200  # of a matrix: too short for the bound on nodes
 WIDEST = 16
@@ -50,6 +52,8 @@ def _equation(text: str, symbols: Symbols) -> Tree | None:
 
 
 def _pieces(text: str) -> list[str]:
+    if "e-" in text:
+        text = POWER_OF_TEN.sub(r"\1!", text)
     for sign in SIGNS:
         if sign in text:
             text = text.replace(sign, f" {sign} ")
@@ -177,7 +181,8 @@ class _Reader:
 
 @lru_cache(maxsize=4096)
 def _number(piece: str) -> Number:
-    whole, point, part = piece.partition(".")
-    if not whole.isdecimal() or (point and not part.isdecimal()) or len(piece) > DIGITS:
+    found = LITERAL.fullmatch(piece)
+    if found is None or len(piece) > DIGITS:
         raise Unusual
-    return Number(piece)
+    digits, power = found.groups()
+    return Number(digits, int(power.replace("!", "-"))) if power else Number(digits)

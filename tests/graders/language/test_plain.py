@@ -16,8 +16,25 @@ from tests.depth import amount
 from tests.graders.language.trees import NAMES, trees
 
 DECLARED = Symbols([*NAMES, "E", "ln1", "pi0"], ["omega2"])
-OPERANDS = [*"xE2-q<", "(x", "(a", "<x", "l_1", "omega2", "pi", "0.5", "007", "sin(a", "atan2(x", "tg(", "log10(2"]
-OPERATORS = [*"+-*/^).;e<>+*/^)=", "*(", ")^", "1e5", "deg", ">^2", ">^1+"]
+OPERANDS = [
+    *"xE2-q<",
+    "2e-3",
+    "1.5e4",
+    "e-3",
+    "(x",
+    "(a",
+    "<x",
+    "l_1",
+    "omega2",
+    "pi",
+    "0.5",
+    "007",
+    "sin(a",
+    "atan2(x",
+    "tg(",
+    "log10(2",
+]
+OPERATORS = [*"+-*/^).;e<>+*/^)=", "*(", ")^", "1e5", "*1e-5", "-2e-", "deg", ">^2", ">^1+"]
 
 
 def parsed(text: str) -> Tree | None:
@@ -48,6 +65,7 @@ def test_whatever_is_read_quickly_the_parser_reads_alike() -> None:
     "text",
     [
         "-l1*x^2/(a + 2)",
+        "1e-6*x - 2.5e3",
         "sin(x)^2",
         "2^-x^2",
         "-2^2",
