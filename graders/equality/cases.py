@@ -11,16 +11,16 @@ than a search.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
 from flint import arb
 
-from graders.equality.deciding import PRECISIONS, Finding, exactly, share_of, zero
-from graders.equality.multiples import Known, at_edge, multiple
+from graders.equality.deciding import PRECISIONS, Finding, exactly, same, share_of, zero
+from graders.equality.multiples import SHIFTED, Known, at_edge, kind_of, multiple
 from graders.equality.signs import Column, Screened, Signed, implied, screened
-from graders.equality.turns import EXPONENTS, needed
+from graders.equality.turns import EXPONENTS
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
 from graders.language.intervals import ALL, INTERVALS, Interval, side_of_zero
@@ -34,7 +34,7 @@ EXPONENTIAL = EXPONENTS | {"^"}
 ENDING = frozenset(("/", "tan", "cot", "macaulay", "log_base"))  # these may end where nothing turns
 UNENDED = CHOOSING | EXPONENTS | {"atan", "acot"}  # these have a value everywhere
 BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
-SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
+OWN = ("exponent", "bracket")  # the numbers drawn for these stand for something else than their values
 POLES = frozenset(("/", "tan", "cot"))
 AROUND_ONE: Interval = (0.5, 1.5)
 NOTHING = 1e-6  # of a product: a greater difference is one in doubles
@@ -78,22 +78,23 @@ class Cases:
 
     Args:
         program: The two.
-        lines: Slots of the earlier names on which the reference stands.
+        sides: Slots that the reference, with the earlier names, and the answer stand on.
         points: Points of the box.
         ranges: The values of all slots on the box; empty where no box is known.
         signed: Slots that have one sign inside the box.
         turning: Slots of the functions whose arguments may turn in the box, and of those that are steep.
         mutual: Whether the two differ also where only the reference has no value.
         fine: Bits beyond 30 digits by which two sides are told apart.
+        parted: Whether a function that chooses is each of its two in turn; else it is drawn as well, which is enough
+            where the same ones stand on both sides.
     """
 
     def __init__(
-        self, program: Program, lines: Sequence[int], points: Sequence[Point], ranges: Sequence[Interval],
-        signed: frozenset[int], turning: frozenset[int], mutual: bool, fine: int,
+        self, program: Program, sides: Sequence[set[int]], points: Sequence[Point], ranges: Sequence[Interval],
+        signed: frozenset[int], turning: frozenset[int], mutual: bool, fine: int, parted: bool = True,
     ) -> None:  # fmt: skip
-        self.signed = signed
-        self.fine, self.share = fine, share_of(fine)
-        self.program, self.lines, self.points, self.mutual = program, lines, points, mutual
+        self.signed, self.parted, self.fine, self.share = signed, parted, fine, share_of(fine)
+        self.program, self.sides, self.points, self.mutual = program, sides, points, mutual
         self.turning, self.left = turning, WORK
         self.ranges = ranges or [ALL] * (len(program.inputs) + len(program.operations) + len(program.literals))
         self.operations = list(enumerate(program.operations, len(program.inputs)))
@@ -103,7 +104,7 @@ class Cases:
         self.special = set[int]()  # slots of functions that choose or are drawn
         self.steady = list[Screened]()
         for slot, (name, arguments) in self.operations:
-            drawn, chooses = self._is_drawn(name, slot), name in CHOOSING
+            drawn, chooses = self._is_drawn(name, slot), parted and name in CHOOSING
             if drawn or chooses:
                 self.special.add(slot)
             if not self.loose.isdisjoint(arguments) or (drawn and not chooses):
@@ -129,12 +130,15 @@ class Cases:
 
     def _agree(self, start: int, case: Case) -> bool:
         """Go on with a case from an operation on, parted where a sign is open."""
-        slots = case.slots
+        slots, special, functions = case.slots, self.special, BALLS.function
         for at in range(start, len(self.operations)):
             slot, (name, arguments) = self.operations[at]
             self._spend()
             columns = [slots[argument] for argument in arguments]
-            chosen = self._choice(name, slot, arguments, case) if slot in self.special else None
+            if slot not in special:
+                slots[slot] = self._applied(functions(name), columns)
+                continue
+            chosen = self._choice(name, slot, arguments, case) if self.parted else None
             if chosen is not None:
                 below = self._below(chosen, case, name == "macaulay" and columns[1][0].is_zero())
                 if below is None or chosen.values is None:
@@ -154,7 +158,9 @@ class Cases:
                 return [edge] * len(self.points)
             if self._is_drawn(name, slot):
                 return self._drawn(name, slot, arguments, case)
-        function = BALLS.function(name)
+        return self._applied(BALLS.function(name), columns)
+
+    def _applied(self, function: Callable[..., Any], columns: Sequence[Column]) -> Column:
         return list(map(function, *columns)) if columns else [function()] * len(self.points)
 
     def _spend(self) -> None:
@@ -257,22 +263,27 @@ class Cases:
         return self.steady
 
     def _is_drawn(self, name: str, slot: int) -> bool:
-        return name in ALWAYS or (slot in self.turning and name not in POLES) or (self.steep and name in EXPONENTS)
+        always = name in ALWAYS and (self.parted or name not in CHOOSING)
+        return always or (slot in self.turning and name not in POLES) or (self.steep and name in EXPONENTS)
 
     def _drawn(self, name: str, slot: int, arguments: Sequence[int], case: Case) -> Column:
         """Give the value of a function by a number that is drawn where it is met first."""
-        columns, kind = [case.slots[argument] for argument in arguments], SHIFTED.get(name, name)
+        columns, kind = [case.slots[argument] for argument in arguments], kind_of(name)
         if name == "^" and arguments[0] in self.signed and self.ranges[arguments[0]][0] >= 0:
             columns, kind, name = [[x.log() * power for x, power in zip(*columns, strict=True)]], "exponent", "exp"
         elif name in EXPONENTS:
             kind = "exponent"
+        elif name == "macaulay" and arguments[1] < 0:
+            columns, kind, orders = columns[:1], "step" if columns[1][0].is_zero() else "bracket", columns[1]
         found = self._known(kind, columns, case)
         if found is None:
-            found = self._number(AROUND_ONE if kind == "exponent" or name in SHIFTED else self.ranges[slot], slot)
+            found = self._number(AROUND_ONE if kind in OWN or name in SHIFTED else self.ranges[slot], slot)
             case.known.append(Known(kind, columns, found))
             case.signs.extend([Signed(found, False)] if name == "sqrt" else ())
         if name in SHIFTED:
             return [arb.pi() / 2 - x for x in found]
+        if kind == "bracket":
+            return [x**order for x, order in zip(found, orders, strict=True)]
         return [BALLS.function(name)(x) for x in found] if kind == "exponent" else found
 
     def _known(self, kind: str, columns: Sequence[Column], case: Case) -> Column | None:
@@ -330,7 +341,7 @@ class Cases:
         """Tell whether the two agree where all is chosen, and end at the same places."""
         right, typed = self.program.outputs
         pairs = zip(case.slots[right], case.slots[typed], strict=True)
-        if right != typed and not all(_same(a, b, self.share) for a, b in pairs):
+        if right != typed and not all(same(a, b, self.share) for a, b in pairs):
             return False
         one, other = self._sides
         return self._end_too(other - one, one, case) and (not self.mutual or self._end_too(one - other, other, case))
@@ -338,11 +349,9 @@ class Cases:
     @cached_property
     def _sides(self) -> tuple[set[int], set[int]]:
         """Give the slots of either side whose functions may end."""
-        right, typed = self.program.outputs
         ending = {slot for slot, (name, _) in self.operations if name in ENDING or slot in self.turning}
-        sides = ((right, *self.lines), (typed,))
-        one, other = ([] if not ending else needed(self.program, side) for side in sides)
-        return ending.intersection(one), ending.intersection(other)
+        one, other = self.sides
+        return ending & one, ending & other
 
     def _end_too(self, alone: set[int], others: set[int], case: Case) -> bool:
         """Tell whether one side ends wherever the other does because of what stands in that alone."""
@@ -381,15 +390,11 @@ class Cases:
     def _ends_alike(self, slot: int, other: int, case: Case) -> bool:
         """Tell whether two slots have no value at the same places."""
         (name, one), (second, two) = self._operation(slot), self._operation(other)
-        kind = SHIFTED.get(name, name)
-        if SHIFTED.get(second, second) != kind and not (name in BEYOND and second in BEYOND):
+        kind = kind_of(name)
+        if kind_of(second) != kind and not (name in BEYOND and second in BEYOND):
             return False
         first = 1 if name == "/" else 0
         factors = [self._ratio(case.slots[a], case.slots[b]) for a, b in zip(one[first:], two[first:], strict=True)]
         if None in factors:
             return False
         return name == "/" or (factors[0] > 0 if name in BEYOND else multiple(kind, factors, (arb(1),)) is not None)
-
-
-def _same(one: Any, other: Any, share: Any) -> bool:
-    return zero(one, other, PRECISIONS[0], share) is Finding.EQUAL or (one.is_zero() and other.is_zero())

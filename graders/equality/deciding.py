@@ -144,3 +144,8 @@ def zero(right: Any, typed: Any, bits: int, small: Any = SMALL) -> Finding | Non
     if bits < SETTLING or right.abs_lower() > 0 or typed.abs_lower() > 0:
         return None
     return Finding.EQUAL if difference.contains(0) and difference.abs_upper() < arb(2) ** (-bits // 5) else None
+
+
+def same(one: Any, other: Any, share: Any) -> bool:
+    """Tell whether two balls of the first precision are equal, or both nothing."""
+    return zero(one, other, PRECISIONS[0], share) is Finding.EQUAL or (one.is_zero() and other.is_zero())

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from flint import arb
 
 from graders.equality.deciding import SMALL
 from graders.equality.signs import Column
-from graders.equality.turns import needed
 from graders.language.program import Program
 
 AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at the ends of domains
@@ -22,6 +21,9 @@ AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at 
 ANGLES = {"asin": "asin", "acos": "asin", "atan": "atan", "acot": "atan", "atan2": "atan2"}
 
 
+SHIFTED = {"acos": "asin", "acot": "atan"}  # a right angle less the other
+
+
 class Known(NamedTuple):
     """A function for which a number was drawn: its kind, its arguments, the number."""
 
@@ -30,11 +32,14 @@ class Known(NamedTuple):
     value: Column
 
 
-def of_other_angles(program: Program) -> bool:
-    """Tell whether the two outputs hold angles of other kinds: numbers drawn for them agree by chance alone."""
+def of_other_angles(program: Program, sides: Sequence[Collection[int]]) -> bool:
+    """Tell whether the two sides, by the slots they stand on, hold angles of other kinds.
+
+    Numbers drawn for these agree by chance alone.
+    """
     if ANGLES.keys().isdisjoint(name for name, _ in program.operations):
         return False
-    start, sides = len(program.inputs), [needed(program, (output,)) for output in program.outputs]
+    start = len(program.inputs)
     kinds = [
         {
             kind
@@ -44,6 +49,11 @@ def of_other_angles(program: Program) -> bool:
         for side in sides
     ]
     return all(kinds) and kinds[0] != kinds[1]
+
+
+def kind_of(name: str) -> str:
+    """Give the function by which another one is known: an arccosine by the arcsine."""
+    return SHIFTED.get(name, name)
 
 
 def at_edge(name: str, column: Column) -> Any:
@@ -66,6 +76,9 @@ def _is_number(value: Any, number: int) -> bool:
 
 MULTIPLES: Mapping[str, Callable[[Any, Any], Any]] = {  # f(k u) from k and f(u)
     "exponent": lambda k, value: k * value,
+    "abs": lambda k, value: abs(k) * value,
+    "bracket": lambda k, value: k * value if k > 0 else None,
+    "step": lambda k, value: value if k > 0 else None,
     "sqrt": lambda k, value: k.sqrt() * value if k > 0 else None,
     "ln": lambda k, value: k.log() + value if k > 0 else None,
     "sign": lambda k, value: value if k > 0 else -value if k < 0 else None,

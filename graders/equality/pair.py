@@ -8,12 +8,14 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import NamedTuple
 
+from graders.equality.alike import alike
 from graders.equality.cases import Cases
 from graders.equality.deciding import PRECISIONS, Balls, Finding, fineness
+from graders.equality.following import narrowed
 from graders.equality.multiples import of_other_angles
 from graders.equality.probing import Row, Search, all_met, looks, open_turns
 from graders.equality.steep import steep, summits
-from graders.equality.turns import TURNING, Joint, Turn, may_be_steep, together, turning, turns
+from graders.equality.turns import TURNING, Joint, Places, Turn, may_be_steep, needed, places, together, turns
 from graders.judge import Domain, Formula
 from graders.language.doubles import DOUBLES, domain_test
 from graders.language.intervals import Interval
@@ -34,6 +36,7 @@ LEAST_ASKED = 24  # points that balls settle, whatever they cost
 WORK = 24_000  # operations of balls behind which no more points are asked
 NEAR = 1e-11  # how close by, as a share of a domain
 SEEN = 1e-9  # a relative difference that doubles see
+BLIND = 3.0  # more than any: where doubles see nothing
 NOTHING = Number("0")
 
 
@@ -69,6 +72,7 @@ class Turned:
     Attributes:
         program: The pair, with the values of what turns as further outputs.
         turns: What may turn in the box, as far as it is searched.
+        where: The functions that turn, and where they do.
         functions: Slots of the functions in which it does.
         slots: The ranges of all slots on the box.
         steep: Slots of the exponentials and high powers that range widely.
@@ -77,6 +81,7 @@ class Turned:
 
     program: Program
     turns: list[Turn]
+    where: Places
     functions: frozenset[int]
     slots: list[Interval]
     steep: frozenset[int]
@@ -87,8 +92,8 @@ class Pair:
     """An answer beside a reference: their common program, and what turns in it, found when it is first asked for."""
 
     __slots__ = (
-        "_doubles", "_early", "_once", "_rows", "_turned", "balls", "builder", "lines", "most_turns", "mutual",
-        "points", "program", "searched", "smooth", "states", "turning",
+        "_doubles", "_early", "_glance", "_once", "_rows", "_sides", "_turned", "balls", "builder", "lines",
+        "most_turns", "mutual", "points", "program", "searched", "smooth", "states", "turning",
     )  # fmt: skip
 
     def __init__(self, answer: Tree, reference: Formula, mutual: bool, most_turns: int = MOST_TURNS) -> None:
@@ -104,6 +109,8 @@ class Pair:
         self._once = False
         self._early: Comparison | None = None
         self._turned: Turned | None = None
+        self._glance: list[Row] | None = None
+        self._sides: tuple[set[int], set[int]] | None = None
         self._rows: list[Row] | None = None
         self._doubles: Runner | None = None
         self.searched, self.most_turns = True, most_turns
@@ -117,21 +124,27 @@ class Pair:
 
     def _look(self) -> Turned:
         if self.smooth:
-            return Turned(self.program, [], frozenset(), [], frozenset(), frozenset())
-        right, typed = self.program.outputs
-        found, slots = turns(self.builder, (right, *self.lines), typed) if self.turning else [], list[Interval]()
-        signed = frozenset[int]()
+            return Turned(self.program, [], {}, frozenset(), [], frozenset(), frozenset())
+        where, slots, signed = places(self.builder) if self.turning else {}, list[Interval](), frozenset[int]()
+        found = turns(where, self.sides) if where else []
         if self.states.box:
             found, slots, signed = self._opened(found)
+            where, found = self._narrowed(where, found, slots, signed)
         opened = {turn.slot for turn in found}
-        functions = turning(self.builder, len(self.program.operations), opened) if opened else frozenset[int]()
+        functions = frozenset(at for at, several in where.items() if any(slot in opened for slot, _ in several))
         if len(found) > self.most_turns:
             self.searched, found = False, found[: self.most_turns]
-        return Turned(self._with(found), found, functions, slots, steep(self.program, slots), signed)
+        return Turned(self._with(found), found, where, functions, slots, steep(self.program, slots), signed)
 
     def _opened(self, found: Sequence[Turn]) -> tuple[list[Turn], list[Interval], frozenset[int]]:
         """Give what may turn in the box, the ranges of all slots there, and the slots that have one sign."""
         return open_turns(self._with(found), self.states.box, found)
+
+    def _narrowed(
+        self, where: Places, found: list[Turn], slots: Sequence[Interval], signed: frozenset[int]
+    ) -> tuple[Places, list[Turn]]:
+        """Leave out directions that are never cut, and arcs whose ends are never reached."""
+        return narrowed(self.builder, where, found, slots, signed, self.points)
 
     def _all_met(self, groups: Sequence[Joint]) -> bool:
         """Tell whether the points that were drawn hold all that a search could find."""
@@ -144,8 +157,16 @@ class Pair:
     def rows(self) -> list[Row]:
         """Give what doubles see at all points."""
         if self._rows is None:
-            self._rows = looks(self.doubles, self.points) if self.turns else []
+            more = looks(self.doubles, self.points[GLANCE:]) if self.turns else []
+            self._rows = [*self.glance, *more] if self.turns else []
         return self._rows
+
+    @property
+    def glance(self) -> list[Row]:
+        """Give what doubles see at the first points."""
+        if self._glance is None:
+            self._glance = looks(self.doubles, self.points[:GLANCE])
+        return self._glance
 
     @property
     def doubles(self) -> Runner:
@@ -194,18 +215,35 @@ class Pair:
 
     def _seen_apart(self) -> list[Point]:
         """Give one of a few points at which doubles see a difference, if there is one."""
-        points = self.points[1:GLANCE]
-        rows = zip(looks(self.doubles, points), points, strict=True)
-        return next(([point] for row, point in rows if all(map(math.isfinite, row[:2])) and _far(row) > SEEN), [])
+        rows = zip(self.glance, self.points[:GLANCE], strict=True)
+        return next(([point] for row, point in rows if SEEN < _far(row) < BLIND), [])
 
     def _in_every_case(self) -> Comparison | None:
         """Give equality that does not hang on what turns or is steep."""
-        points, turned = self.points[:CASES], self.turned
-        if len(set(points)) < CASES or of_other_angles(self.program) or self.balls.at(points[0]) is not Finding.EQUAL:
+        points, program = self.points[:CASES], self.program
+        if len(set(points)) < CASES or self.balls.at(points[0]) is not Finding.EQUAL:
             return None
-        turning, fine = turned.functions | turned.steep, self.balls.fine
-        cases = Cases(self.program, self.lines, points, turned.slots, turned.signed, turning, self.mutual, fine)
-        return EQUAL if cases.agree(self.balls.runner(PRECISIONS[0])) else None
+        columns = {turn.slot: [row[2 + at] for row in self.glance] for at, turn in enumerate(self.turns)}
+        if alike(program, self.turned.where, self.turned.functions, self.sides, columns) and self._agree(parted=False):
+            return EQUAL
+        return None if of_other_angles(program, self.sides) or not self._agree(parted=True) else EQUAL
+
+    @property
+    def sides(self) -> tuple[set[int], set[int]]:
+        """Give the slots that the reference, with the earlier names, and the answer stand on."""
+        if self._sides is None:
+            right, typed = self.program.outputs
+            self._sides = needed(self.program, (right, *self.lines)), needed(self.program, (typed,))
+        return self._sides
+
+    def _agree(self, parted: bool) -> bool:
+        """Tell whether the two are shown to agree whatever turns."""
+        turned, fine = self.turned, self.balls.fine
+        turning, points = turned.functions | turned.steep, self.points[:CASES]
+        cases = Cases(
+            self.program, self.sides, points, turned.slots, turned.signed, turning, self.mutual, fine, parted
+        )  # fmt: skip
+        return cases.agree(self.balls.runner(PRECISIONS[0]))
 
     def _at_summits(self) -> Comparison | None:
         """Give a difference that steep parts hide at most points."""
@@ -256,7 +294,7 @@ class Pair:
         yield self._places(zip(self.rows, self.points, strict=True), None)
         if not self.states.box:
             return
-        groups = together(self.builder, turned.turns, self.program.outputs)
+        groups = together(self.builder, turned.where, turned.turns, self.program.outputs)
         if self._all_met(groups):
             return
         search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines, turned.slots)
@@ -348,5 +386,5 @@ def _far(row: Row) -> float:
     right, typed = row[0], row[1]
     difference, scale = abs(right - typed), max(abs(right), abs(typed))
     if not math.isfinite(difference):
-        return 3.0
+        return BLIND
     return difference / scale if scale else 0.0

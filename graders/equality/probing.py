@@ -40,19 +40,31 @@ def _patiently(runner: Runner, point: Point) -> Row:
     slots: list[Any] = [*point, *runner.tail]
     for function, slot, count, first, second in runner.code:
         arguments = (first, second)[:count] if count else first
-        try:
-            slots[slot] = function(*[slots[argument] for argument in arguments])
-        except (ValueError, ArithmeticError, TypeError):
-            slots[slot] = math.nan
+        slots[slot] = _tried(function, *[slots[argument] for argument in arguments])
     return [slots[slot] for slot in runner.outputs]
 
 
 def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
-    """Run in doubles at many points."""
+    """Run in doubles at many points; what has no value there is not a number."""
     try:
         return [list(row) for row in runner.columns(points)]
     except (ValueError, ArithmeticError, TypeError):
-        return [look(runner, point) for point in points]
+        return [list(row) for row in runner.columns(points, _each)]
+
+
+def _each(function: Callable[..., Any], *columns: Sequence[Any]) -> list[Any]:
+    """Apply a function to columns of arguments; what has no value is not a number."""
+    try:
+        return list(map(function, *columns))
+    except (ValueError, ArithmeticError, TypeError):
+        return [_tried(function, *arguments) for arguments in zip(*columns, strict=True)]
+
+
+def _tried(function: Callable[..., Any], *arguments: Any) -> Any:
+    try:
+        return function(*arguments)
+    except (ValueError, ArithmeticError, TypeError):
+        return math.nan
 
 
 def open_turns(
@@ -304,6 +316,11 @@ def _alike(one: Sequence[Found], other: Sequence[Found]) -> bool:
     if one is other:
         return True
     return _tied([value for value, _ in one], [value for value, _ in other])
+
+
+def proportional(one: Sequence[float], other: Sequence[float]) -> bool:
+    """Tell whether two columns are proportional, whatever the sign of the factor."""
+    return _tied(one, other) or _tied(one, [-value for value in other])
 
 
 def _tied(one: Sequence[float], other: Sequence[float]) -> bool:

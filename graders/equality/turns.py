@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
 from typing import TypeAlias
 
+from graders.language.intervals import Interval
 from graders.language.program import Builder, Operation, Program
 from graders.language.tree import Number
 
@@ -17,12 +18,13 @@ WRAPPING = frozenset(("atan", "acot"))  # a pole inside is a jump
 SUMS = frozenset(("+", "-", "negate", "degrees"))  # what turns in their parts does not act on one another
 MOST_GROUPS, LARGEST = 24, 3  # sets of turns that are kept apart, and the turns of one
 TURNING = BRANCHES | EDGES | WRAPPING | {"min", "max", "atan2", "asin", "acos", "^"}
-ENDING = EDGES | {"asin", "acos", "^"}
 EXPONENTS = frozenset(("exp", "sinh", "cosh", "tanh"))
 STEEP = EXPONENTS | {"^"}
 HIGH = 12  # powers from which a product of small numbers is nothing
 ONE = Number("1")
 Groups: TypeAlias = frozenset[frozenset[int]]
+Place: TypeAlias = tuple[int, bool]  # a slot whose sign matters, and whether a function ends where it is negative
+Places: TypeAlias = Mapping[int, Sequence[Place]]  # by the slots of functions
 
 
 @lru_cache(maxsize=2048)
@@ -49,27 +51,47 @@ class Turn:
     typed: bool
 
 
-def turns(builder: Builder, right: Sequence[int], typed: int) -> list[Turn]:
-    """Find what turns in a program of two sides, adding slots for what has none.
-
-    Args:
-        builder: Holds both sides.
-        right: Slots of the reference and of the lines it stands on.
-        typed: Slot of the answer.
-    """
+def places(builder: Builder) -> Places:
+    """Find the functions that turn, and where they do, adding slots for what has none."""
     operations = tuple(builder.operations)
     if not any(name in TURNING for name, _ in operations):
-        return []
+        return {}
     wraps = any(name in WRAPPING for name, _ in operations)
-    sides = [needed(builder, slots) for slots in (right, (typed,))]
+    every = ((at, _places(builder, operation, wraps)) for at, operation in enumerate(operations, len(builder.inputs)))
+    return {at: found for at, found in every if found}
+
+
+def turns(where: Places, sides: Sequence[Collection[int]]) -> list[Turn]:
+    """Give what turns in a program of two sides.
+
+    Args:
+        where: The functions that turn.
+        sides: The slots that the reference, with the lines it stands on, and the answer stand on.
+    """
     found: dict[int, Turn] = {}
-    for at, operation in enumerate(operations, len(builder.inputs)):
-        for slot in _turning(builder, operation, wraps):
+    for at, several in where.items():
+        for slot, edge in several:
             old = found.get(slot, Turn(slot, False, False, False))
             one, other = (at in side for side in sides)
-            edge = operation[0] in ENDING or (operation[0] == "macaulay" and slot == operation[1][1])
             found[slot] = Turn(slot, old.edge or edge, old.right or one, old.typed or other)
     return list(found.values())
+
+
+def uncut(builder: Builder, where: Places, slots: Sequence[Interval], signed: Collection[int]) -> Places:
+    """Leave out the directions that are never cut: those on one side of the first axis, or around it.
+
+    Args:
+        builder: Holds the functions.
+        where: The functions that turn.
+        slots: The ranges of all slots.
+        signed: Slots that have one sign.
+    """
+    start = len(builder.inputs)
+    return {
+        at: several for at, several in where.items()
+        if builder.operations[at - start][0] != "atan2"
+        or not (several[0][0] in signed or (several[1][0] in signed and slots[several[1][0]][0] >= 0))
+    }  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +102,7 @@ class Joint:
     apart: bool
 
 
-def together(builder: Builder, found: Sequence[Turn], outputs: Sequence[int]) -> list[Joint]:
+def together(builder: Builder, where: Places, found: Sequence[Turn], outputs: Sequence[int]) -> list[Joint]:
     """Give the turns whose signs act on one another: in a product, in an argument that turns, in a direction.
 
     Edges are left out: beyond them there is no value. Where signs stand in a sum alone, each is told by itself.
@@ -91,7 +113,7 @@ def together(builder: Builder, found: Sequence[Turn], outputs: Sequence[int]) ->
     operations, groups = tuple(builder.operations), dict[int, Groups]()
     inside, directions = dict[int, frozenset[int]](), set[frozenset[int]]()
     for at, operation in enumerate(operations, len(builder.inputs)):
-        own = frozenset(numbers[slot] for slot in _turning(builder, operation, False) if slot in numbers)
+        own = frozenset(numbers[slot] for slot, _ in where.get(at, ()) if slot in numbers)
         parts = [groups[slot] for slot in dict.fromkeys(operation[1]) if groups.get(slot)]
         if operation[0] == "atan2":
             directions |= {own} if len(own) > 1 else set()
@@ -129,35 +151,64 @@ def needed(program: Builder | Program, outputs: Sequence[int]) -> set[int]:
     return found
 
 
-def turning(builder: Builder, count: int, open_slots: Collection[int]) -> frozenset[int]:
-    """Give the slots of those of the first operations that turn where one of some slots changes its sign."""
-    start, operations = len(builder.inputs), builder.operations[:count]
-    wraps = any(name in WRAPPING for name, _ in operations)
-    return frozenset(
-        slot for slot, operation in enumerate(operations, start)
-        if any(one in open_slots for one in _turning(builder, operation, wraps))
-    )  # fmt: skip
+def arcs(builder: Builder, where: Places) -> set[int]:
+    """Give the slots `1 - u^2` of arcsines and arccosines."""
+    start = len(builder.inputs)
+    return {several[0][0] for at, several in where.items() if builder.operations[at - start][0] in ("asin", "acos")}
 
 
-def _turning(builder: Builder, operation: Operation, wraps: bool) -> tuple[int, ...]:
+def _places(builder: Builder, operation: Operation, wraps: bool) -> tuple[Place, ...]:
     name, arguments = operation
     if name == "macaulay" and arguments[1] >= 0:  # there is no value where its order is negative
-        return arguments
-    if name in BRANCHES or name in EDGES:
-        return arguments[:1]
+        return (arguments[0], False), (arguments[1], True)
+    if name in BRANCHES or (name == "root" and _odd(builder, arguments[1])):
+        return ((arguments[0], False),)
+    if name in EDGES or (name == "^" and not _whole(builder, arguments[1])):
+        return _edges(builder, arguments[0])
     if name in ("min", "max"):
-        return (builder.apply("-", *arguments),)
+        return ((builder.apply("-", *arguments), False),)
     if name == "atan2":
-        return arguments
+        return (arguments[0], False), (arguments[1], False)
     if name in ("asin", "acos"):
-        return (builder.apply("-", builder.add(ONE), builder.apply("power2", *arguments)),)
-    if name == "^":
-        return () if _whole(builder, arguments[1]) else arguments[:1]
+        return ((builder.apply("-", builder.add(ONE), builder.apply("power2", *arguments)), True),)
     if wraps and name == "/":
-        return arguments[1:]
+        return ((arguments[1], False),)
     if wraps and name in ("tan", "cot"):
-        return (builder.apply("cos" if name == "tan" else "sin", *arguments),)
+        return ((builder.apply("cos" if name == "tan" else "sin", *arguments), False),)
     return ()
+
+
+def _edges(builder: Builder, slot: int) -> tuple[Place, ...]:
+    """Give where a root turns: with an even power, or an absolute value, where the sign of what stands inside changes.
+
+    In a product with one other factor it ends where this is negative.
+    """
+    if slot < len(builder.inputs):
+        return ((slot, True),)
+    name, arguments = builder.operations[slot - len(builder.inputs)]
+    if name == "abs" or _is_even(name) or (name == "*" and arguments[0] == arguments[1]):
+        return ((arguments[0], False),)
+    if name == "*" or name == "/":
+        parts = [place for part in arguments if not _positive(builder, part) for place in _edges(builder, part)]
+        if sum(edge for _, edge in parts) < 2:
+            return tuple(parts)
+    return ((slot, True),)
+
+
+@lru_cache(maxsize=2048)
+def _is_even(name: str) -> bool:
+    return name[:5] == "power" and name != "power0" and int(name[5:]) % 2 == 0
+
+
+def _positive(builder: Builder, slot: int) -> bool:
+    """Tell a literal that is not zero."""
+    return slot < 0 and list(builder.literals)[-1 - slot].digits.strip("0.") != ""
+
+
+def _odd(builder: Builder, slot: int) -> bool:
+    """Tell whether the degree of a root is written as an odd number."""
+    number = list(builder.literals)[-1 - slot] if slot < 0 else ONE
+    return slot < 0 and number.whole and int(number.digits) % 2 == 1
 
 
 def _whole(builder: Builder, slot: int) -> bool:

@@ -5,7 +5,7 @@ A program is made once and run on many points; a run is one loop over the list.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -190,19 +190,24 @@ class Runner:
         slots = self.slots(values)
         return [slots[slot] for slot in self.outputs]
 
-    def columns(self, rows: Sequence[Sequence[Any]]) -> list[tuple[Any, ...]]:
-        """Compute the outputs for many rows of inputs at once; an error of one row is an error of all."""
+    def columns(self, rows: Sequence[Sequence[Any]], each: Callable[..., Iterable[Any]] = map) -> list[tuple[Any, ...]]:
+        """Compute the outputs for many rows of inputs at once; an error of one row is an error of all.
+
+        Args:
+            rows: The values of the inputs.
+            each: Applies a function to columns of arguments.
+        """
         count = len(rows)
         if not count:
             return []
         slots: list[Any] = [*zip(*rows, strict=True), *([value] * count for value in self.tail)]
         for function, slot, arity, first, second in self.code:
             if arity == 2:
-                slots[slot] = list(map(function, slots[first], slots[second]))
+                slots[slot] = list(each(function, slots[first], slots[second]))
             elif arity == 1:
-                slots[slot] = list(map(function, slots[first]))
+                slots[slot] = list(each(function, slots[first]))
             else:
-                slots[slot] = list(map(function, *[slots[a] for a in first])) if first else [function()] * count
+                slots[slot] = list(each(function, *[slots[a] for a in first])) if first else [function()] * count
         return list(zip(*[slots[slot] for slot in self.outputs], strict=True))
 
     def slots(self, values: Sequence[Any]) -> list[Any]:

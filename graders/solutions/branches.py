@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import reduce
 
 from graders.equality.probing import Search, look, looks, open_turns
-from graders.equality.turns import together, turns
+from graders.equality.turns import needed, places, together, turns
 from graders.judge import Domain
 from graders.language.doubles import DOUBLES
 from graders.language.program import Builder, Program, Runner
@@ -46,7 +46,8 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     builder = Builder(scene.names)
     lines = [builder.define(name, line) for name, line in scene.lines]
     outputs = [_joined(builder, trees) for trees in sides]
-    found = turns(builder, (outputs[0], *lines), outputs[1])
+    where = places(builder)
+    found = turns(where, [needed(builder, slots) for slots in ((outputs[0], *lines), outputs[1:])])
     if not found:  # nothing in them turns
         return NONE
     box = tuple(Domain(low, high) for low, high in scene.ranges)
@@ -62,7 +63,7 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     rows = looks(turning.runner, scene.points)
     search = Search(program, box, scene.points, rows, True, tuple(lines), slots)
     beside = list(search.beside(found))
-    groups = together(builder, found, outputs)
+    groups = together(builder, where, found, outputs)
     if groups:
         looked = looks(turning.runner, [point for point, _ in beside])
         beside += [(point, False) for point in search.joint(found, groups, [*rows, *looked])]

@@ -8,7 +8,7 @@ from random import Random
 from graders.equality import Comparison
 from graders.equality.pair import Pair
 from graders.equality.probing import open_turns
-from graders.equality.turns import Joint, Turn
+from graders.equality.turns import Joint, Places, Turn
 from graders.judge import Domain
 from graders.language.intervals import Interval, side_of_zero
 from graders.language.tree import Binary, Call, Name, Number, Tree, children, mapped, walk
@@ -35,6 +35,11 @@ class PlainSearch(Pair):
         _, slots, signed = open_turns(self._with(found), self.states.box, found)
         kept = [turn for turn in found if not side_of_zero(slots[turn.slot]) and (turn.edge or slots[turn.slot][0] < 0)]
         return kept, slots, signed
+
+    def _narrowed(
+        self, where: Places, found: list[Turn], slots: Sequence[Interval], signed: frozenset[int]
+    ) -> tuple[Places, list[Turn]]:
+        return where, found
 
 
 def drawn(rng: Random, depth: int) -> Tree:

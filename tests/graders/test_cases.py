@@ -5,10 +5,9 @@ from __future__ import annotations
 import pytest
 
 from graders import Domain
-from graders.equality import Finding, between
-from graders.equality.cases import Cases
+from graders.equality import Comparison, Finding, between
+from graders.equality.pair import Pair
 from graders.language import parse_line
-from graders.language.program import Runner
 
 BOX = {"c": Domain(-2, 2), "r": Domain(1, 2), "x": Domain(0, 1), "y": Domain(0, 1), "z": Domain(-1, 1)}
 
@@ -44,13 +43,13 @@ def found(a: str, b: str) -> set[Finding]:
     ],
 )
 def test_what_is_equal_in_every_case_needs_no_search(a: str, b: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    said, agree = list[bool](), Cases.agree
+    said, in_every_case = list[Comparison | None](), Pair._in_every_case
 
-    def listened(self: Cases, runner: Runner) -> bool:
-        said.append(agree(self, runner))
+    def listened(self: Pair) -> Comparison | None:
+        said.append(in_every_case(self))
         return said[-1]
 
-    monkeypatch.setattr(Cases, "agree", listened)
+    monkeypatch.setattr(Pair, "_in_every_case", listened)
     assert found(a, b) == {Finding.EQUAL}
     assert all(said)
 
