@@ -266,8 +266,8 @@ test("items of an order move by one and typed letters are followed", () => {
 });
 
 test("declared names are written in the visual editor as they are printed", () => {
-  const names = ["l1", "alpha1", "R_A", "L", "omega", "x_K", "epsilon12", "EI"];
-  const printed = ["l_{1}", "\\alpha_{1}", "R_{A}", "L", "\\omega", "x_{K}", "\\epsilon_{12}", "EI"];
+  const names = ["l1", "alpha1", "R_A", "L", "omega", "x_K", "epsilon12", "EI", "h3_d", "Theta1_dd"];
+  const printed = ["l_{1}", "\\alpha_{1}", "R_{A}", "L", "\\omega", "x_{K}", "\\epsilon_{12}", "EI", "\\dot{h}_{3}", "\\ddot{\\Theta}_{1}"];
   assert.deepEqual(names.map(latexOf), printed);
 });
 

@@ -8,11 +8,20 @@ import { turnstile } from "./preview.ts";
 import { type Phrases, speakIn } from "./spoken.ts";
 
 const HERE = import.meta.url;
+const OPERATIONS = [..."+-*/=()^,;·"];
 const PAUSE = 300; // ms after the last key
 const GREEK = new Set("alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi psi omega".split(" "));
 
-/** The LaTeX of a declared name: `alpha1` is `\alpha_{1}`, `R_A` is `R_{A}`. */
+const RATES: [string, string][] = [["_dd", "\\ddot"], ["_d", "\\dot"]];
+const SIGNS = new Map([
+  ["/", "\\frac{#@}{#?}"], ["*", "\\cdot "], ["^", "#@^{#?}"], ["sqrt()", "\\sqrt{#0}"],
+  ...["sin", "cos"].map((name): [string, string] => [`${name}()`, `\\${name}\\left(#0\\right)`]),
+]);
+
+/** The LaTeX of a declared name: `alpha1` is `\alpha_{1}`, `R_A` is `R_{A}`, `h3_d` is `\dot{h}_{3}`. */
 export function latexOf(name: string): string {
+  const [marked, over] = RATES.find(([mark]) => name.endsWith(mark)) ?? [];
+  if (marked !== undefined) return latexOf(name.slice(0, -marked.length)).replace(/^\\?[A-Za-z]+/, `${over}{$&}`);
   const [, letters = "", below = ""] = /^([A-Za-z]+?)_?(\d\w*|(?<=_)\w+)?$/.exec(name) ?? [null, name];
   const base = GREEK.has(letters.toLowerCase()) ? `\\${letters}` : letters;
   return below === "" ? base : `${base}_{${below}}`;
@@ -29,6 +38,16 @@ function styleBack(root: ParentNode): void {
     if (!node.part.contains("container")) node.style.cssText = node.dataset["style"] ?? ""; // it shows itself
     node.removeAttribute("data-style");
   }
+}
+
+/* The editor measures what it has just drawn, for the caret's place and for a selection: there the styles come at once. */
+function styledAtOnce(drawn: Element): void {
+  const plain = Object.getOwnPropertyDescriptor(Element.prototype, "innerHTML")!;
+  const set = (html: string): void => {
+    plain.set!.call(drawn, html);
+    styleBack(drawn);
+  };
+  Object.defineProperty(drawn, "innerHTML", { get: () => plain.get!.call(drawn) as string, set });
 }
 
 async function load(words: DOMStringMap): Promise<MathfieldElement> {
@@ -57,6 +76,8 @@ function asOneStop(visual: MathfieldElement, help: string, phrases: Phrases): vo
   typed?.setAttribute("aria-description", help);
   const live = visual.shadowRoot?.querySelector("[aria-live]");
   if (live && typed) speakIn(phrases, live, typed, visual.getAttribute("aria-label") ?? "");
+  const drawn = visual.shadowRoot?.querySelector("[part='content']");
+  if (drawn) styledAtOnce(drawn);
   visual.removeAttribute("tabindex"); // the element and what stands in it would be two stops
   visual.menuItems = [];
 }
@@ -73,6 +94,37 @@ function letOut(visual: MathfieldElement, field: TextField): void {
     else if (field.form !== null && meaning(event, true) === "check") check(field.form);
   };
   visual.addEventListener("keydown", keep, { capture: true });
+}
+
+/* A name has no sign of an operation in it: one typed in a subscript that `_` began stands behind the name. What
+   stands in the subscript stays there: `Theta1` and `_d` is the rate of Theta1. */
+function leaveSubscripts(visual: MathfieldElement): void {
+  let inside = false;
+  const collapse = (): void => {
+    if (!visual.selectionIsCollapsed) visual.position = Math.max(...visual.selection.ranges.flat());
+  };
+  const follow = ({ key }: KeyboardEvent): void => {
+    if (inside && OPERATIONS.includes(key)) visual.executeCommand("moveAfterParent");
+    if (key === "_") setTimeout(collapse);
+    inside = key === "_" || (inside && (/^[\w]$/.test(key) || key === "Shift"));
+  };
+  visual.addEventListener("keydown", follow, { capture: true });
+  for (const other of ["pointerdown", "focusout"]) visual.addEventListener(other, () => (inside = false));
+}
+
+/* The keys of the row type into the editor while it has the focus, as they do into the text. */
+function takeKeys(visual: MathfieldElement, row: Element | null | undefined): void {
+  const type = (event: Event): void => {
+    const key = event.target instanceof Element ? event.target.closest<HTMLElement>("button") : null;
+    if (key === null || !visual.hasFocus()) return;
+    event.stopPropagation();
+    const insert = key.dataset["insert"] ?? "";
+    if (key.dataset["key"] === "backspace") visual.executeCommand("deleteBackward");
+    else if (/^[A-Za-z]\w*$/.test(insert)) visual.insert(latexOf(insert), { format: "latex" });
+    else if (SIGNS.has(insert)) visual.insert(SIGNS.get(insert)!, { format: "latex" });
+    else visual.executeCommand(["typedText", insert]);
+  };
+  row?.addEventListener("click", type, { capture: true });
 }
 
 /* Two views of one formula: each change of one is read by the preview and shown in the other. */
@@ -135,6 +187,8 @@ export function offerVisual(box: HTMLElement): void {
       help.before(made);
       asOneStop(made, help.textContent ?? "", phrasesOf(box));
       letOut(made, field);
+      leaveSubscripts(made);
+      takeKeys(made, box.closest(".answer")?.querySelector(".keys"));
       made.inlineShortcuts = { ...made.inlineShortcuts, ...Object.fromEntries(names(box).map((name) => [name, latexOf(name)])) };
       join(field, made, url);
     } else visual.hidden = !visual.hidden;

@@ -224,6 +224,39 @@ def test_the_visual_editor_keeps_in_step_with_the_text(page: Page, site: Live) -
     )
 
 
+DRAWN = """() => {
+    const root = document.querySelector("math-field").shadowRoot;
+    const most = (side) => (["x", "y"].includes(side) ? Math.min : Math.max);
+    const boxes = (all) => [...root.querySelectorAll(all)].map((one) => one.getBoundingClientRect());
+    const whole = (all) => ["x", "y", "right", "bottom"].map(
+        (side) => most(side)(...boxes(all).map((box) => box[side])));
+    const [drawn, marked] = [whole(".ML__base"), whole(".ML__selection")];
+    return drawn.map((side, k) => Math.abs(side - marked[k]));
+}"""
+
+
+def test_what_is_selected_in_the_visual_editor_is_marked_where_it_stands(page: Page, site: Live) -> None:
+    desk(page, site.url)
+    page.click(".visual button")
+    page.wait_for_selector("math-field:focus")
+    page.keyboard.type("omega1*l1/l2")
+    page.keyboard.press("Control+a")
+    page.wait_for_selector("math-field .ML__selection")
+    assert max(page.evaluate(DRAWN)) < 8
+
+
+@pytest.mark.parametrize("typed", ["Theta1_d*l_AB-v_Cx", "[Theta1_d][*][l_AB]-[v_Cx]"])
+def test_names_with_a_mark_below_are_typed_in_the_visual_editor(page: Page, site: Live, typed: str) -> None:
+    desk(page, site.url, "tmm2_oop")
+    page.evaluate("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
+    line = page.locator("li:has(> .body [name='answer.v_x_formula'])").last
+    line.locator(".visual button").click()
+    page.wait_for_selector("math-field:focus")
+    for key, text in re.findall(r"\[(.+?)\]|([^\[\]]+)", typed):
+        page.keyboard.type(text) if text else line.locator(f"[data-insert='{key}']").click()
+    expect(page.locator("[name='answer.v_x_formula']")).to_have_value("Theta1_d*l_AB - v_Cx")
+
+
 @pytest.mark.parametrize(
     ("language", "said"), [("pl", "koniec: licznik"), ("en", "end of numerator"), ("ru", "конец: числитель")]
 )
