@@ -14,13 +14,14 @@ from graders.language.program import Builder, Program, Runner
 from graders.language.tree import Name, Relation, Tree
 from graders.solutions.equations import Found, compare_equations
 from graders.solutions.reduction import reduced, residual
-from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, unit_points
+from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, moved, unit_points
 from graders.solutions.systems import compare_systems
 from graders.verdict import RIGHT, UNDECIDED, Code, Verdict, Witness, wrong
 
 PART = 0.5  # of the score for equations that hold, but lose a solution, bring one, or hold only in part
 STATES = 4  # true states at which equations are tested
 SHIFT = arb(2) ** -90  # of a range: over which slopes are taken
+FINE, SHRUNK = 2 * BITS, arb(2) ** -100  # a precision at which what is zero is so much nearer to it
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,18 +95,18 @@ class Judged:
 
     Attributes:
         holding: For each equation whether it holds at the true states.
-        determined: Whether they determine the unknowns there.
+        determined: Whether they determine the unknowns there; None where that is not sure.
         found: How their solutions compare with those of the task, where they hold and determine.
     """
 
     holding: tuple[bool, ...]
-    determined: bool
+    determined: bool | None
     found: Found
 
     @property
     def verdict(self) -> Verdict:
         """Judge equations that hold: whether they determine the unknowns, lose a solution or bring one."""
-        if not self.determined:
+        if self.determined is False:
             return wrong(Code.UNDETERMINED)
         if self.found.finding is Finding.EQUAL:
             return RIGHT
@@ -133,26 +134,44 @@ def judged(answer: Sequence[Relation], reference: Sequence[Relation], task: Task
         )
         determined = all(holding) and determines(trees, task, [point for point, _ in truths])
     if not determined:
-        return Judged(holding, determined, Found(Finding.DIFFERENT))
+        return Judged(holding, determined, Found(Finding.DIFFERENT if determined is False else Finding.UNDECIDED))
     return Judged(holding, determined, compared(answer, reference, task))
 
 
-def determines(trees: Sequence[Tree], task: Task, points: Sequence[Sequence[arb]]) -> bool:
-    """Tell whether the slopes by the unknowns have full rank at some true state."""
+def determines(trees: Sequence[Tree], task: Task, points: Sequence[Sequence[arb]]) -> bool | None:
+    """Tell whether the slopes by the unknowns have full rank at some true state; None where that is not sure."""
+    found = _ranks(trees, task, points)
+    if not all(rank.contains(0) for rank in found):
+        return True
+    with precision(FINE):
+        finer = _ranks(trees, task, [point for point, _ in task.truths(trees)])
+    settled = len(finer) == len(found) > 0 and all(
+        fine.abs_upper() <= SHRUNK * rank.abs_upper() for fine, rank in zip(finer, found, strict=True)
+    )
+    return False if settled else None  # the slope of a sign at its zero is anything at any precision
+
+
+def _ranks(trees: Sequence[Tree], task: Task, points: Sequence[Sequence[arb]]) -> list[arb]:
+    """Give a number for each true state that is zero where the slopes have no full rank."""
     scene, count = task.scene, len(task.unknowns)
     side, first = Side(Residuals(scene, [trees], Effort()), 0), len(scene.names) - count
+    found = []
     for point in points:
-        here, columns = side.balls(point), list[list[arb]]()
-        for at in range(first, first + count):
-            step = SHIFT * scene.width(at)
-            there = side.balls([*point[:at], point[at] + step, *point[at + 1 :]])
-            if here is not None and there is not None:
-                columns.append([(b - a) / step for a, b in zip(here, there, strict=True)])
+        columns = [column for at in range(first, first + count) if (column := _slopes(side, point, at)) is not None]
         if len(columns) == count:
             slopes = arb_mat(columns)
-            if not (slopes * slopes.transpose()).det().contains(0):
-                return True
-    return False
+            found.append((slopes * slopes.transpose()).det())
+    return found
+
+
+def _slopes(side: Side, point: Sequence[arb], at: int) -> list[arb] | None:
+    """Give the slopes along an unknown, by steps to that side on which all have a value."""
+    here = side.balls(point)
+    for step in (SHIFT * side.scene.width(at), -SHIFT * side.scene.width(at)):
+        there = side.balls(moved(point, at, point[at] + step))
+        if here is not None and there is not None:
+            return [(b - a) / step for a, b in zip(here, there, strict=True)]
+    return None
 
 
 def compared(answer: Sequence[Relation], reference: Sequence[Relation], task: Task) -> Found:

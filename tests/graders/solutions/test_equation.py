@@ -40,6 +40,9 @@ def test_the_judge_passes_its_own_samples() -> None:
         ("l1*sin(α1) + l2*sin(α2) = h*(1 + 1e-9)", Code.NOT_SATISFIED, 0),
         ("α2 = α2", Code.UNDETERMINED, 0),
         ("0 = 0*α2", Code.UNDETERMINED, 0),
+        ("sin(α2)^2 + cos(α2)^2 = 1", Code.UNDETERMINED, 0),
+        ("sign(l1*sin(α1) + l2*sin(α2) - h)/(1 + α2^2) = 0", Code.UNDECIDED, 0),  # its slope is anything
+        ("sqrt(h - l1*sin(α1) - l2*sin(α2)) = l1*sin(α1) + l2*sin(α2) - h", Code.UNDECIDED, 0),  # no value behind
         ("0 = 1", Code.NOT_SATISFIED, 0),
         ("(l2*sin(α2))^2 = (h - l1*sin(α1))^2", Code.SURPLUS_SOLUTION, 0.5),
     ],
