@@ -321,6 +321,17 @@ def test_the_page_says_why_nothing_more_can_be_handed_in(course: Course) -> None
     assert "This set is closed." in course.student.get(path).text
 
 
+def test_an_examination_takes_nothing_that_it_could_not_read_and_says_so(course: Course) -> None:
+    number = course.published(rules={"mode": "exam"})
+    place = f"/variants/{course.variant(number)}"
+    typed = {"answer.alpha2": "12 deg", "answer.l3": "10 mm /"}
+    refused = course.student.post(place, data=typed, follow_redirects=True).text
+    assert "Your answers are not taken yet: mend what could not be read" in refused and "Not read" in refused
+    assert "Your answers are taken" not in refused and "No attempt was counted." in refused
+    taken = course.student.post(place, data={**typed, "answer.l3": "10 mm"}, follow_redirects=True).text
+    assert "Your answers are taken" in taken and "not taken yet" not in taken
+
+
 def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course: Course) -> None:
     path = f"/variants/{course.variant(course.published(item={'exercise': 'tmm2_oop'}))}"
     assert 'name="section"' in course.student.get(path).text
