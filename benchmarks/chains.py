@@ -17,11 +17,12 @@ from random import Random
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from mechanics import chain, lagrange, link_frames, newton_euler, rod_groups, transform  # noqa: E402
-from mechanics.chain import Chain  # noqa: E402
-from mechanics.dh import Row, Vector  # noqa: E402
-from mechanics.errors import AssemblyError, SingularError  # noqa: E402
-from mechanics.links import LinkMass  # noqa: E402
+from mechanics import chain, lagrange, link_frames, newton_euler, rod_groups, transform
+from mechanics.chain import Chain
+from mechanics.dh import Row
+from mechanics.errors import AssemblyError, SingularError
+from mechanics.links import LinkMass
+from mechanics.vectors import Vector
 
 GRAVITY: Vector = (0.0, 0.0, -9.81)
 

@@ -15,13 +15,13 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-from statistics import median, quantiles  # noqa: E402
-from time import perf_counter, process_time  # noqa: E402
+import argparse
+from statistics import median, quantiles
+from time import perf_counter, process_time
 
-from exercises.variants import deal  # noqa: E402
-from reports import formats, sheets  # noqa: E402
-from reports.tmm2 import Person, tmm2  # noqa: E402
+from exercises.variants import deal
+from reports import formats, sheets
+from reports.tmm2 import Person, tmm2
 
 PROMISED = 10.0  # ms
 Spent = tuple[float, float]  # of the clock, of the processor

@@ -17,13 +17,13 @@ from random import Random
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-from graders.equality import Finding  # noqa: E402
-from graders.equality.pair import Pair  # noqa: E402
-from graders.judge import Domain, Formula  # noqa: E402
-from graders.language.text import text_of  # noqa: E402
-from graders.language.tree import Tree  # noqa: E402
-from graders.states import spread  # noqa: E402
-from tests.graders.rewriting import PlainSearch, box, changed, drawn, rewritten  # noqa: E402
+from graders.equality import Finding
+from graders.equality.pair import Pair
+from graders.judge import Domain, Formula
+from graders.language.text import text_of
+from graders.language.tree import Tree
+from graders.states import spread
+from tests.graders.rewriting import PlainSearch, box, changed, drawn, rewritten
 
 SIDES = {Finding.EQUAL: "equal", Finding.DIFFERENT: "different", Finding.UNDEFINED: "different"}
 

@@ -13,15 +13,15 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import gc  # noqa: E402
-import time  # noqa: E402
-import tracemalloc  # noqa: E402
-from functools import lru_cache, partial  # noqa: E402
-from multiprocessing import get_context  # noqa: E402
+import argparse
+import gc
+import time
+import tracemalloc
+from functools import lru_cache, partial
+from multiprocessing import get_context
 
-from graders import KINDS  # noqa: E402
-from tests.graders.fuzzing.attack import Found, Target, attack, one, targets  # noqa: E402
+from graders import KINDS
+from tests.graders.fuzzing.attack import Found, Target, attack, one, targets
 
 CHUNK = 5000
 TOKENS, JUDGED = 0.30, 0.10

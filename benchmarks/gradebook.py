@@ -13,27 +13,27 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[0] = str(ROOT)  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import gc  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Iterator  # noqa: E402
-from datetime import UTC, datetime, timedelta  # noqa: E402
-from statistics import median  # noqa: E402
-from tempfile import TemporaryDirectory  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import gc
+import time
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from statistics import median
+from tempfile import TemporaryDirectory
+from typing import Any
 
-from sqlalchemy import Connection, Engine, Table, event, insert  # noqa: E402
-from starlette.testclient import TestClient  # noqa: E402
+from sqlalchemy import Connection, Engine, Table, event, insert
+from starlette.testclient import TestClient
 
-from exercises.variants import deal  # noqa: E402
-from server.app import create_app  # noqa: E402
-from server.database import secret_of  # noqa: E402
-from server.database.engine import engine  # noqa: E402
-from server.migrate import migrate  # noqa: E402
-from server.people import tokens  # noqa: E402
-from server.sets import dealing  # noqa: E402
-from server.settings import Settings  # noqa: E402
-from server.tables import (  # noqa: E402
+from exercises.variants import deal
+from server.app import create_app
+from server.database import secret_of
+from server.database.engine import engine
+from server.migrate import migrate
+from server.people import tokens
+from server.sets import dealing
+from server.settings import Settings
+from server.tables import (
     attempts,
     courses,
     deck,
@@ -47,7 +47,7 @@ from server.tables import (  # noqa: E402
     task_sets,
     variants,
 )
-from server.web import ids  # noqa: E402
+from server.web import ids
 
 NOW = datetime(2026, 11, 28, 12, tzinfo=UTC)
 ANSWERS = ("alpha2", "l3", "omega2_formula", "omega2", "v3")

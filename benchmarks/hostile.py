@@ -13,20 +13,20 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import gc  # noqa: E402
-import time  # noqa: E402
-import tracemalloc  # noqa: E402
-from collections.abc import Callable, Iterator, Sequence  # noqa: E402
-from dataclasses import dataclass  # noqa: E402
-from functools import partial  # noqa: E402
+import argparse
+import gc
+import time
+import tracemalloc
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
 
-from exercises import catalogue, variants  # noqa: E402
-from exercises.exercise import Submission  # noqa: E402
-from exercises.grading import grade  # noqa: E402
-from exercises.solving import Solved  # noqa: E402
-from tests.graders.fuzzing.attack import Found, Target, forget, one, targets  # noqa: E402
-from tests.graders.fuzzing.families import families  # noqa: E402
+from exercises import catalogue, variants
+from exercises.exercise import Submission
+from exercises.grading import grade
+from exercises.solving import Solved
+from tests.graders.fuzzing.attack import Found, Target, forget, one, targets
+from tests.graders.fuzzing.families import families
 
 PROMISED, MOST_MEMORY, SHOWN = 50.0, 20.0, 12  # milliseconds, megabytes, lines
 WORTH = 10.0  # milliseconds from which a case is measured well

@@ -15,25 +15,25 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else this file would stand before the library's http
 
-import argparse  # noqa: E402
-import asyncio  # noqa: E402
-import json  # noqa: E402
-import os  # noqa: E402
-import subprocess  # noqa: E402
-import time  # noqa: E402
-from dataclasses import dataclass, replace  # noqa: E402
-from statistics import median  # noqa: E402
-from typing import Any, TypeAlias  # noqa: E402
+import argparse
+import asyncio
+import json
+import os
+import subprocess
+import time
+from dataclasses import dataclass, replace
+from statistics import median
+from typing import Any, TypeAlias
 
-import uvicorn  # noqa: E402
+import uvicorn
 
-from benchmarks.stores import KINDS, cpu, settings, stores  # noqa: E402
-from exercises import grading  # noqa: E402
-from exercises.exercise import Grade, Submission  # noqa: E402
-from exercises.variants import deal  # noqa: E402
-from server.answering.judging import JudgingThread  # noqa: E402
-from server.app import create_app  # noqa: E402
-from tests.server.stores import free_port  # noqa: E402
+from benchmarks.stores import KINDS, cpu, settings, stores
+from exercises import grading
+from exercises.exercise import Grade, Submission
+from exercises.variants import deal
+from server.answering.judging import JudgingThread
+from server.app import create_app
+from tests.server.stores import free_port
 
 EXERCISE = "slider_crank"
 SEED = 7

@@ -11,24 +11,24 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import asyncio  # noqa: E402
-import random  # noqa: E402
-import time  # noqa: E402
-from functools import partial  # noqa: E402
-from multiprocessing import get_context  # noqa: E402
-from multiprocessing.process import BaseProcess  # noqa: E402
-from multiprocessing.synchronize import Event  # noqa: E402
+import argparse
+import asyncio
+import random
+import time
+from functools import partial
+from multiprocessing import get_context
+from multiprocessing.process import BaseProcess
+from multiprocessing.synchronize import Event
 
-from sqlalchemy import Connection  # noqa: E402
+from sqlalchemy import Connection
 
-from benchmarks.stores import KINDS as STORES  # noqa: E402
-from benchmarks.stores import settings, stores  # noqa: E402
-from server.database import Database  # noqa: E402
-from server.jobs import queue  # noqa: E402
-from server.jobs.engine import Engine  # noqa: E402
-from server.jobs.working import Bureau  # noqa: E402
-from tests.server.jobs.counting import KINDS, Here, left, order  # noqa: E402
+from benchmarks.stores import KINDS as STORES
+from benchmarks.stores import settings, stores
+from server.database import Database
+from server.jobs import queue
+from server.jobs.engine import Engine
+from server.jobs.working import Bureau
+from tests.server.jobs.counting import KINDS, Here, left, order
 
 PROCESSES = get_context("forkserver")  # what a worker imports is imported once, so a life costs no more than a start
 PROCESSES.set_forkserver_preload(["benchmarks.jobs"])

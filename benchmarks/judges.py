@@ -14,28 +14,28 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import gc  # noqa: E402
-import random  # noqa: E402
-import signal  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Callable, Iterator, Sequence  # noqa: E402
-from contextlib import contextmanager  # noqa: E402
-from dataclasses import dataclass, field  # noqa: E402
-from functools import partial  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import gc
+import random
+import signal
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import partial
+from typing import Any
 
-import mpmath  # noqa: E402
-import sympy  # noqa: E402
+import mpmath
+import sympy
 
-from graders import AnswerSyntaxError, Quantity, Symbols, comparison  # noqa: E402
-from graders.equality import Finding, between  # noqa: E402
-from graders.language import parse  # noqa: E402
-from graders.language.program import Arithmetic, Builder, Program, Runner  # noqa: E402
-from graders.language.tree import Number  # noqa: E402
-from graders.states import spread  # noqa: E402
-from tests.corpus import Pair, kinds, pairs  # noqa: E402
-from tests.graders.comparison.test_corpus import asked  # noqa: E402
+from graders import AnswerSyntaxError, Quantity, Symbols, comparison
+from graders.equality import Finding, between
+from graders.language import parse
+from graders.language.program import Arithmetic, Builder, Program, Runner
+from graders.language.tree import Number
+from graders.states import spread
+from tests.corpus import Pair, kinds, pairs
+from tests.graders.comparison.test_corpus import asked
 
 RUNS = 3
 OPEN = "undecided"

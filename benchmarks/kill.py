@@ -10,21 +10,21 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import json  # noqa: E402
-import os  # noqa: E402
-import random  # noqa: E402
-import time  # noqa: E402
-from dataclasses import dataclass, field, replace  # noqa: E402
-from http.client import HTTPConnection, HTTPException  # noqa: E402
-from multiprocessing import get_context  # noqa: E402
-from multiprocessing.process import BaseProcess  # noqa: E402
-from threading import Event, Thread  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import json
+import os
+import random
+import time
+from dataclasses import dataclass, field, replace
+from http.client import HTTPConnection, HTTPException
+from multiprocessing import get_context
+from multiprocessing.process import BaseProcess
+from threading import Event, Thread
+from typing import Any
 
-from benchmarks.stores import KINDS, Environment, settings, stores  # noqa: E402
-from server.run import serve  # noqa: E402
-from tests.server.stores import free_port  # noqa: E402
+from benchmarks.stores import KINDS, Environment, settings, stores
+from server.run import serve
+from tests.server.stores import free_port
 
 PROCESSES = get_context("forkserver")  # what a server imports is imported once, so a life costs no more than a start
 PROCESSES.set_forkserver_preload(["benchmarks.kill"])

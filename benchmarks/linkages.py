@@ -12,10 +12,10 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import time  # noqa: E402
+import argparse
+import time
 
-from tests.mechanics.hostile_linkages import KINDS, attack  # noqa: E402
+from tests.mechanics.hostile_linkages import KINDS, attack
 
 LIMIT = 1e-9
 

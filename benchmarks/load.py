@@ -14,29 +14,29 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import asyncio  # noqa: E402
-import json  # noqa: E402
-import os  # noqa: E402
-import random  # noqa: E402
-import secrets  # noqa: E402
-import time  # noqa: E402
-from collections import Counter  # noqa: E402
-from collections.abc import Awaitable, Callable, Iterable  # noqa: E402
-from dataclasses import dataclass, field  # noqa: E402
-from datetime import UTC, datetime, timedelta  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import asyncio
+import json
+import os
+import random
+import secrets
+import time
+from collections import Counter
+from collections.abc import Awaitable, Callable, Iterable
+from dataclasses import dataclass, field
+from datetime import UTC, datetime, timedelta
+from typing import Any
 
-from sqlalchemy import insert, select  # noqa: E402
+from sqlalchemy import insert, select
 
-from benchmarks.stores import KINDS, Environment, cpu, serving, settings, stores  # noqa: E402
-from exercises import grading  # noqa: E402
-from exercises.variants import deal  # noqa: E402
-from server.database.engine import engine  # noqa: E402
-from server.tables import deck, sessions  # noqa: E402
-from server.web import ids  # noqa: E402
-from tests.server.sets.classroom import COURSE, enrol  # noqa: E402
-from tests.server.stores import free_port  # noqa: E402
+from benchmarks.stores import KINDS, Environment, cpu, serving, settings, stores
+from exercises import grading
+from exercises.variants import deal
+from server.database.engine import engine
+from server.tables import deck, sessions
+from server.web import ids
+from tests.server.sets.classroom import COURSE, enrol
+from tests.server.stores import free_port
 
 EXERCISE = "slider_crank"
 HOSTILE = ("9^9^9^9", "(" * 5000, "sin(" * 400 + "1", "1e999999999 m", "<script>alert(1)</script>", "l1" * 4000)

@@ -11,12 +11,12 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/mechanics.py would stand before the room
 
-import argparse  # noqa: E402
-import time  # noqa: E402
-from collections import Counter  # noqa: E402
-from random import Random  # noqa: E402
+import argparse
+import time
+from collections import Counter
+from random import Random
 
-from tests.mechanics import judged_machines  # noqa: E402
+from tests.mechanics import judged_machines
 
 
 def main() -> int:

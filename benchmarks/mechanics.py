@@ -14,17 +14,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[0] = str(ROOT)  # else this file would stand before the room it measures
 
-import argparse  # noqa: E402
-import gc  # noqa: E402
-import subprocess  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Iterator  # noqa: E402
-from importlib import import_module  # noqa: E402
-from itertools import chain  # noqa: E402
-from statistics import median  # noqa: E402
+import argparse
+import gc
+import subprocess
+import time
+from collections.abc import Iterator
+from importlib import import_module
+from itertools import chain
+from statistics import median
 
-from benchmarks import laws  # noqa: E402
-from benchmarks.solvers.row import Row, Task  # noqa: E402
+from benchmarks import laws
+from benchmarks.solvers.row import Row, Task
 
 CHAPTERS = sorted(
     path.stem for path in (ROOT / "benchmarks/solvers").glob("*.py") if path.stem not in ("__init__", "row")

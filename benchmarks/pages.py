@@ -13,18 +13,18 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[0] = str(ROOT)  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import asyncio  # noqa: E402
-import os  # noqa: E402
-import shutil  # noqa: E402
-import socket  # noqa: E402
-import subprocess  # noqa: E402
-import time  # noqa: E402
-from statistics import median, quantiles  # noqa: E402
-from tempfile import TemporaryDirectory  # noqa: E402
+import argparse
+import asyncio
+import os
+import shutil
+import socket
+import subprocess
+import time
+from statistics import median, quantiles
+from tempfile import TemporaryDirectory
 
-import httpx2  # noqa: E402
-from playwright.sync_api import sync_playwright  # noqa: E402
+import httpx2
+from playwright.sync_api import sync_playwright
 
 EXERCISE = "simple_beam"
 PROGRAM = """

@@ -12,35 +12,35 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import asyncio  # noqa: E402
-import os  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Iterator  # noqa: E402
-from concurrent.futures import ProcessPoolExecutor  # noqa: E402
-from datetime import UTC, datetime, timedelta  # noqa: E402
-from multiprocessing import get_context  # noqa: E402
-from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage  # noqa: E402
-from tempfile import TemporaryDirectory  # noqa: E402
-from typing import Any  # noqa: E402
+import argparse
+import asyncio
+import os
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from datetime import UTC, datetime, timedelta
+from multiprocessing import get_context
+from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
+from tempfile import TemporaryDirectory
+from typing import Any
 
-from sqlalchemy import insert  # noqa: E402
+from sqlalchemy import insert
 
-from exercises import catalogue, verifying  # noqa: E402
-from exercises.variants import deal, dump  # noqa: E402
-from server.answering.judging import JudgingThread  # noqa: E402
-from server.database import Database, regrades  # noqa: E402
-from server.database.engine import engine  # noqa: E402
-from server.jobs.engine import Engine  # noqa: E402
-from server.jobs.kinds import KINDS  # noqa: E402
-from server.jobs.working import Bureau  # noqa: E402
-from server.migrate import migrate  # noqa: E402
-from server.regrading import job as regrade  # noqa: E402
-from server.regrading.replay import Lot, replay  # noqa: E402
-from server.sets.rules import Rules  # noqa: E402
-from server.settings import Settings  # noqa: E402
-from server.storage.jobs import Batch  # noqa: E402
-from server.tables import courses, deck, grades, owners, persons, slots, submissions, task_sets, variants  # noqa: E402
+from exercises import catalogue, verifying
+from exercises.variants import deal, dump
+from server.answering.judging import JudgingThread
+from server.database import Database, regrades
+from server.database.engine import engine
+from server.jobs.engine import Engine
+from server.jobs.kinds import KINDS
+from server.jobs.working import Bureau
+from server.migrate import migrate
+from server.regrading import job as regrade
+from server.regrading.replay import Lot, replay
+from server.sets.rules import Rules
+from server.settings import Settings
+from server.storage.jobs import Batch
+from server.tables import courses, deck, grades, owners, persons, slots, submissions, task_sets, variants
 
 EXERCISE, SET, SECRET = "slider_crank", "SSSS-SSSS-SSSS", b"a secret of the benchmark"
 PER_VARIANT = 20

@@ -11,18 +11,18 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-import argparse  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Iterable  # noqa: E402
-from importlib import import_module  # noqa: E402
-from itertools import islice  # noqa: E402
-from statistics import median  # noqa: E402
+import argparse
+import time
+from collections.abc import Iterable
+from importlib import import_module
+from itertools import islice
+from statistics import median
 
-from exercises import catalogue  # noqa: E402
-from exercises.exercise import Submission  # noqa: E402
-from exercises.grading import grade, reference  # noqa: E402
-from tests.slips.random_answers import attributed, random_submissions  # noqa: E402
-from tests.slips.slip import dealt, found, named_rightly, occasions  # noqa: E402
+from exercises import catalogue
+from exercises.exercise import Submission
+from exercises.grading import grade, reference
+from tests.slips.random_answers import attributed, random_submissions
+from tests.slips.slip import dealt, found, named_rightly, occasions
 
 
 def named(exercise: str, variants: int, verbose: bool) -> tuple[int, int]:

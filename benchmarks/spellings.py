@@ -11,20 +11,20 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import time  # noqa: E402
-from collections import Counter  # noqa: E402
-from collections.abc import Callable, Iterable  # noqa: E402
-from dataclasses import dataclass, field  # noqa: E402
-from itertools import cycle, islice  # noqa: E402
+import argparse
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from itertools import cycle, islice
 
-from exercises import catalogue, variants  # noqa: E402
-from exercises.exercise import Submission  # noqa: E402
-from exercises.grading import grade, reference  # noqa: E402
-from exercises.solving import Solved  # noqa: E402
-from graders import Code  # noqa: E402
-from graders.language import AnswerSyntaxError  # noqa: E402
-from tests.spellings import answers  # noqa: E402
+from exercises import catalogue, variants
+from exercises.exercise import Submission
+from exercises.grading import grade, reference
+from exercises.solving import Solved
+from graders import Code
+from graders.language import AnswerSyntaxError
+from tests.spellings import answers
 
 LEAST_RIGHT, LEAST_WRONG = 12, 8
 

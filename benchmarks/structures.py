@@ -12,11 +12,11 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import time  # noqa: E402
-from random import Random  # noqa: E402
+import argparse
+import time
+from random import Random
 
-from tests.mechanics.hostile import KINDS, attack, exact_error, random_beam  # noqa: E402
+from tests.mechanics.hostile import KINDS, attack, exact_error, random_beam
 
 LIMIT = 1e-9
 

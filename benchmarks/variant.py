@@ -13,18 +13,18 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.py would stand before the library's http
 
-import argparse  # noqa: E402
-import time  # noqa: E402
-from collections.abc import Callable, Iterable  # noqa: E402
-from contextlib import suppress  # noqa: E402
-from statistics import fmean, median  # noqa: E402
-from typing import TypeVar  # noqa: E402
+import argparse
+import time
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from statistics import fmean, median
+from typing import TypeVar
 
-from exercises import catalogue, grading, solving  # noqa: E402
-from exercises.draw import Draw, Rejected  # noqa: E402
-from exercises.exercise import Submission, Variant  # noqa: E402
-from exercises.variants import deal, told_apart  # noqa: E402
-from graders.language.doubles import UndefinedError  # noqa: E402
+from exercises import catalogue, grading, solving
+from exercises.draw import Draw, Rejected
+from exercises.exercise import Submission, Variant
+from exercises.variants import deal, told_apart
+from graders.language.doubles import UndefinedError
 
 T = TypeVar("T")
 

@@ -13,10 +13,10 @@ from math import atan2, cos, fsum, hypot, sin, tan
 from mechanics import slider_crank
 from mechanics.chain import Chain, frames, joint_axes, turned
 from mechanics.checks import finite
-from mechanics.dh import Convention, Matrix, Row, Vector, check_variables
+from mechanics.dh import Convention, Row, check_variables
 from mechanics.slider_crank import Branch
 from mechanics.transform import moved_point, total, velocity_matrix
-from mechanics.vectors import ZERO, add, check_vector, cross, dot, scaled, subtract, times
+from mechanics.vectors import ZERO, Matrix, Vector, add, check_vector, cross, dot, scaled, subtract, times
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,11 @@ from cmath import phase, rect
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, pi
-from typing import Literal, TypeAlias
+from typing import Literal
 
 from mechanics.checks import finite, positive
 from mechanics.linkage import principal
-
-Vector: TypeAlias = tuple[float, float, float]
+from mechanics.vectors import ZERO, Vector, add, check_vector, cross, scaled
 
 BALANCED = 1e-9  # of the sum of magnitudes: what counts as no couple
 
@@ -234,8 +233,7 @@ def four_bar(links: FourBarLinks, e1: float, e3: float) -> FourBarBalance:
 
 def opposite(angle: float) -> float:
     """Give the opposite direction, rad in (-pi, pi]."""
-    turned = (angle + pi) % (2 * pi)
-    return turned - 2 * pi if turned > pi else turned
+    return principal(angle + pi)
 
 
 def shared_by_planes(unbalance: float, l_I: float, l_II: float) -> tuple[float, float]:
@@ -316,12 +314,11 @@ def inertia_forces(
     """
     if not len(masses) == len(places) == len(accelerations):
         raise ValueError(f"{len(masses)} masses, {len(places)} places and {len(accelerations)} accelerations")
-    force, moment = [0.0] * 3, [0.0] * 3
+    force, moment = ZERO, ZERO
     for m, place, a in zip(masses, places, accelerations, strict=True):
-        for value, unit in ((m, "kg"), *((v, "m") for v in place), *((v, "m/s^2") for v in a)):
-            finite("mass, place or acceleration", value, unit)
-        for i in range(3):
-            j, k = (i + 1) % 3, (i + 2) % 3
-            force[i] -= m * a[i]
-            moment[i] += m * (place[k] * a[j] - place[j] * a[k])
-    return (force[0], force[1], force[2]), (moment[0], moment[1], moment[2])
+        finite("mass", m, "kg")
+        check_vector("place", place, "m")
+        check_vector("acceleration", a, "m/s^2")
+        own = scaled(-m, a)
+        force, moment = add(force, own), add(moment, cross(place, own))
+    return force, moment

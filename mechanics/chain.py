@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from math import cos, sin
 
-from mechanics.dh import Convention, Matrix, Row, Vector, check_variables
+from mechanics.dh import Convention, Row, check_variables
 from mechanics.links import REST, LinkMotion, next_motion
-from mechanics.vectors import ZERO, add, check_vector, scaled, subtract
+from mechanics.vectors import ZERO, Matrix, Vector, add, check_vector, scaled, subtract
 
 # x, y, z axes and origin of a frame, component by component: the first three rows of T, column after column.
 Frame = tuple[float, float, float, float, float, float, float, float, float, float, float, float]

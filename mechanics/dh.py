@@ -16,8 +16,6 @@ from mechanics.checks import finite
 
 Convention = Literal["standard", "modified"]
 JointType = Literal["R", "P"]
-Vector = tuple[float, float, float]
-Matrix = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)

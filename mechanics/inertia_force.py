@@ -6,8 +6,7 @@ the products of inertia with minus: [[Jx, -Jxy, -Jxz], [-Jxy, Jy, -Jyz], [-Jxz, 
 
 from __future__ import annotations
 
-from mechanics.dh import Matrix, Vector
-from mechanics.vectors import add, cross, scaled, times
+from mechanics.vectors import Matrix, Vector, add, cross, scaled, times
 
 
 def force(mass: float, acceleration: Vector) -> Vector:

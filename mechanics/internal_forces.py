@@ -10,10 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import fsum
 
-from mechanics.checks import finite
-
-Vector = tuple[float, float, float]
-_ZERO = (0.0, 0.0, 0.0)
+from mechanics.vectors import ZERO, Vector, add, check_vector, cross, subtract
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,12 +19,11 @@ class PointLoad:
 
     F: Vector  # N
     at: Vector  # its place, m
-    M: Vector = _ZERO  # N m
+    M: Vector = ZERO  # N m
 
     def __post_init__(self) -> None:
         for name, vector, unit in (("force", self.F, "N"), ("place", self.at, "m"), ("couple", self.M, "N m")):
-            for axis, value in zip("xyz", vector, strict=True):
-                finite(f"{name} {axis}", value, unit)
+            check_vector(name, vector, unit)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +38,7 @@ class InternalForces:
     Mz: float  # N m
 
 
-def internal_forces(loads: Sequence[PointLoad], centre: Vector = _ZERO) -> InternalForces:
+def internal_forces(loads: Sequence[PointLoad], centre: Vector = ZERO) -> InternalForces:
     """Reduce the loads on the cut-off part to the centre of the section (m).
 
     Source:
@@ -55,6 +51,4 @@ def internal_forces(loads: Sequence[PointLoad], centre: Vector = _ZERO) -> Inter
 
 
 def _moment(load: PointLoad, centre: Vector) -> Vector:
-    x, y, z = (at - c for at, c in zip(load.at, centre, strict=True))
-    (Fx, Fy, Fz), (Mx, My, Mz) = load.F, load.M
-    return Mx + y * Fz - z * Fy, My + z * Fx - x * Fz, Mz + x * Fy - y * Fx
+    return add(load.M, cross(subtract(load.at, centre), load.F))

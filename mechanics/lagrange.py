@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from mechanics.dh import Convention, Matrix, Row, Vector, check_variables
+from mechanics.dh import Convention, Row, check_variables
 from mechanics.links import LinkMass
 from mechanics.transform import acceleration_matrix, moved_point, product, total, velocity_matrix
+from mechanics.vectors import Matrix, Vector
 
 
 def second_moments(link: LinkMass) -> Matrix:

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechanics.chain import pair_matrix
-from mechanics.dh import Convention, Matrix, Row, Vector, check_variables
+from mechanics.dh import Convention, Row, check_variables
 from mechanics.links import FREE, REST, Drives, LinkMass, LinkMotion, ToolLoad, next_motion
-from mechanics.vectors import ZERO, add, back, check_vector, cross, dot, scaled, times
+from mechanics.vectors import ZERO, Matrix, Vector, add, back, check_vector, cross, dot, scaled, times
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from mechanics.checks import finite
-from mechanics.dh import Convention, JointType, Matrix, Vector
-from mechanics.vectors import ZERO, add, check_vector, cross, scaled
+from mechanics.dh import Convention, JointType
+from mechanics.vectors import ZERO, Matrix, Vector, add, check_vector, cross, scaled
 
 ROUNDING = 1e-9  # how far an inertia tensor may be from symmetric and from positive, of its largest entry
 

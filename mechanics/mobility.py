@@ -15,6 +15,7 @@ from mechanics import planar, spatial
 from mechanics.checks import finite
 from mechanics.freedom import Closure, Freedom, free_directions, freedom
 from mechanics.structure import CLASSES, FRAME, Pair, count_loops, expanded, planar_mobility, spatial_mobility
+from mechanics.vectors import Vector
 
 Point: TypeAlias = tuple[float, ...]
 PLANAR = {"R": 5, "P": 5, "H": 4}  # H: higher pair
@@ -223,7 +224,7 @@ def _space_closure(links: Sequence[str], joints: Sequence[Joint]) -> Closure:
     return lambda at: spatial.closure(pairs, len(links) - 1, at)
 
 
-def _vector(values: Point | None) -> spatial.Vector | None:
+def _vector(values: Point | None) -> Vector | None:
     if values is None:
         return None
     x, y, z = values

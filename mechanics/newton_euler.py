@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 from mechanics import inertia_force
 from mechanics.chain import Chain, Frame, frames, joint_axes, link_motions, turned
-from mechanics.dh import JointType, Matrix, Vector, check_variables
+from mechanics.dh import JointType, check_variables
 from mechanics.links import FREE, Drives, LinkMass, LinkMotion, ToolLoad
-from mechanics.vectors import ZERO, add, check_vector, cross, dot, scaled, subtract
+from mechanics.vectors import ZERO, Matrix, Vector, add, check_vector, cross, dot, scaled, subtract
 
 EARTH: Vector = (0.0, 0.0, -9.81)  # g when z points up, m/s^2
 

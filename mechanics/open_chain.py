@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot, sqrt
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, get_args
 
 from mechanics.checks import finite
+from mechanics.vectors import ZERO, Vector, cross, dot, unit
 
 Kind = Literal["R", "P"]
-Vector: TypeAlias = tuple[float, float, float]
 PARALLEL = 1e-9  # sine of the angle below which directions are parallel
 RANK = 1e-9  # of the size of a twist, below which it adds no freedom
 
@@ -28,30 +28,28 @@ class Axis:
 
     kind: Kind
     direction: Vector
-    at: Vector = (0.0, 0.0, 0.0)  # a point of the axis, m; for a slide of no matter
+    at: Vector = ZERO  # a point of the axis, m; for a slide of no matter
 
     def __post_init__(self) -> None:
         if self.kind not in get_args(Kind):
             raise ValueError(f"joint kind {self.kind!r} must be R or P")
-        for name, values, unit in (("direction", self.direction, ""), ("at", self.at, "m")):
+        for name, values, measure in (("direction", self.direction, ""), ("at", self.at, "m")):
             for value in values:
-                finite(f"axis: {name}", value, unit)
+                finite(f"axis: {name}", value, measure)
         if not hypot(*self.direction):
             raise ValueError("axis: the direction must not be zero")
 
     @property
     def unit(self) -> Vector:
         """The direction as a unit vector."""
-        length = hypot(*self.direction)
-        x, y, z = self.direction
-        return x / length, y / length, z / length
+        return unit(self.direction)
 
     def twist(self, size: float) -> list[float]:
         """Angular velocity, then velocity of the origin, for a unit rate; lengths over the size of the chain."""
         if self.kind == "P":
             return [0.0, 0.0, 0.0, *self.unit]
         x, y, z = (value / size for value in self.at)
-        return [*self.unit, *_cross((x, y, z), self.unit)]
+        return [*self.unit, *cross((x, y, z), self.unit)]
 
 
 def tip_freedom(axes: Sequence[Axis]) -> int:
@@ -97,7 +95,7 @@ def functional_group(axes: Sequence[Axis]) -> int | None:
         raise ValueError(f"a rod functional group has three joints, not {len(axes)}")
     one, two, three = (axis.unit for axis in axes)
     fits = {
-        "PPP": (1, abs(_dot(_cross(one, two), three)) > PARALLEL),
+        "PPP": (1, abs(dot(cross(one, two), three)) > PARALLEL),
         "RPP": (2, _along_and_across(one, two, three) or _along_and_across(one, three, two)),
         "RRP": (3, not _parallel(one, two) and not _parallel(two, three)),
         "PRR": (4, _parallel(one, two) and _parallel(two, three)),
@@ -109,17 +107,8 @@ def functional_group(axes: Sequence[Axis]) -> int | None:
 
 
 def _along_and_across(axis: Vector, along: Vector, across: Vector) -> bool:
-    return _parallel(axis, along) and abs(_dot(axis, across)) <= PARALLEL
+    return _parallel(axis, along) and abs(dot(axis, across)) <= PARALLEL
 
 
 def _parallel(one: Vector, other: Vector) -> bool:
-    return hypot(*_cross(one, other)) <= PARALLEL
-
-
-def _dot(one: Vector, other: Vector) -> float:
-    return sum(a * b for a, b in zip(one, other, strict=True))
-
-
-def _cross(one: Vector, other: Vector) -> Vector:
-    (a, b, c), (x, y, z) = one, other
-    return b * z - c * y, c * x - a * z, a * y - b * x
+    return hypot(*cross(one, other)) <= PARALLEL

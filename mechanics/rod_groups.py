@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from math import atan2, cos, hypot, pi, sin, sqrt
 
 from mechanics.checks import finite, positive
-from mechanics.dh import Row, Vector
+from mechanics.dh import Row
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import principal
+from mechanics.vectors import Vector
 
 Lengths = Mapping[str, float]
 Slopes = tuple[Vector, Vector, Vector]

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin
 from typing import Any, TypeAlias
 
-Vector: TypeAlias = tuple[float, float, float]
+from mechanics.vectors import Vector, cross, dot, times, unit
+
 Rotation: TypeAlias = tuple[Vector, Vector, Vector]  # rows
 Gap: TypeAlias = tuple[float, list[float]]  # value, slopes by translation and turn of one body, then of the other
 
@@ -44,10 +45,10 @@ def spatial_pair(
     pitch: float = 0.0,
 ) -> SpatialPair:
     """Build a pair with unit axes; a direction of None stands for +Z, a second axis of None for one across."""
-    u = _unit(direction or (0.0, 0.0, 1.0))
+    u = unit(direction or (0.0, 0.0, 1.0))
     _, farthest = min((abs(u[0]), (1.0, 0.0, 0.0)), (abs(u[1]), (0.0, 1.0, 0.0)), (abs(u[2]), (0.0, 0.0, 1.0)))
-    e = _unit(_cross(u, farthest))
-    axes = {"u": u, "e": e, "f": _cross(u, e), "v": _unit(second) if second else e}
+    e = unit(cross(u, farthest))
+    axes = {"u": u, "e": e, "f": cross(u, e), "v": unit(second) if second else e}
     return SpatialPair(kind, *bodies, place, axes, pitch)
 
 
@@ -76,12 +77,12 @@ def closure(pairs: Sequence[SpatialPair], bodies: int, at: Sequence[float]) -> t
 
 def _gaps(pair: SpatialPair, twists: Sequence[Sequence[float]], rotations: Sequence[Rotation]) -> list[Gap]:
     ra, rb = rotations[pair.one], rotations[pair.other]
-    here, there = ({name: _turned(r, axis) for name, axis in pair.axes.items()} for r in (ra, rb))
-    arm, other_arm = _turned(ra, pair.place), _turned(rb, pair.place)
+    here, there = ({name: times(r, axis) for name, axis in pair.axes.items()} for r in (ra, rb))
+    arm, other_arm = times(ra, pair.place), times(rb, pair.place)
     reach = _sum(_sum(other_arm, twists[pair.other]), twists[pair.one], -1.0)  # from the first body's origin
     shift = _sum(reach, arm, -1.0)
     along = [_along(here[name], shift, reach, other_arm) for name in SHIFTS[pair.kind]]
-    drawn = _dot(pair.axes["u"], pair.axes["v"]) if pair.kind == "U" else 0.0
+    drawn = dot(pair.axes["u"], pair.axes["v"]) if pair.kind == "U" else 0.0
     square = [_square(here[a], there[b], drawn) for a, b in SQUARES.get(pair.kind, ())]
     if pair.kind == "H":
         advance = _along(here["u"], shift, reach, other_arm)
@@ -91,14 +92,14 @@ def _gaps(pair: SpatialPair, twists: Sequence[Sequence[float]], rotations: Seque
 
 def _along(n: Vector, shift: Vector, reach: Vector, other_arm: Vector) -> Gap:
     """The shift of the other body along an axis n of the first."""
-    one, other = _cross(n, reach), _cross(other_arm, n)
-    return _dot(n, shift), [-n[0], -n[1], -n[2], *one, *n, *other]
+    one, other = cross(n, reach), cross(other_arm, n)
+    return dot(n, shift), [-n[0], -n[1], -n[2], *one, *n, *other]
 
 
 def _square(a: Vector, b: Vector, drawn: float) -> Gap:
     """The cosine between an axis of the first body and one of the other, less the drawn one."""
-    turn = _cross(a, b)
-    return _dot(a, b) - drawn, [0.0, 0.0, 0.0, *turn, 0.0, 0.0, 0.0, -turn[0], -turn[1], -turn[2]]
+    turn = cross(a, b)
+    return dot(a, b) - drawn, [0.0, 0.0, 0.0, *turn, 0.0, 0.0, 0.0, -turn[0], -turn[1], -turn[2]]
 
 
 def _screwed(advance: Gap, here: dict[str, Vector], e: Vector, lead: float) -> Gap:
@@ -108,7 +109,7 @@ def _screwed(advance: Gap, here: dict[str, Vector], e: Vector, lead: float) -> G
     for i in range(3):
         slopes[3 + i] += turned[i]
         slopes[9 + i] -= turned[i]
-    return gap - lead * atan2(_dot(here["f"], e), _dot(here["e"], e)), slopes
+    return gap - lead * atan2(dot(here["f"], e), dot(here["e"], e)), slopes
 
 
 def _rotation(vector: Sequence[float]) -> Rotation:
@@ -136,23 +137,5 @@ def _series(vector: Sequence[float], first: float, second: float) -> Rotation:
     )
 
 
-def _turned(rotation: Rotation, v: Vector) -> Vector:
-    one, two, three = rotation
-    return _dot(one, v), _dot(two, v), _dot(three, v)
-
-
-def _unit(v: Vector) -> Vector:
-    length = sqrt(_dot(v, v))
-    return v[0] / length, v[1] / length, v[2] / length
-
-
 def _sum(a: Vector, b: Sequence[float], sign: float = 1.0) -> Vector:
     return a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]
-
-
-def _dot(a: Vector, b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _cross(a: Vector, b: Vector) -> Vector:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

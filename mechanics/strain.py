@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from mechanics import tensor
 from mechanics.checks import positive
 from mechanics.stress import StressState
-from mechanics.tensor import Matrix, Vector
+from mechanics.tensor import Matrix
+from mechanics.vectors import Vector
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,8 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 from mechanics import tensor
 from mechanics.checks import finite
-from mechanics.tensor import Matrix, Vector
+from mechanics.tensor import Matrix
+from mechanics.vectors import Vector
 
 
 @dataclass(frozen=True, slots=True)

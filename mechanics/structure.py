@@ -22,7 +22,6 @@ CLASSES = {  # class of each pair by its letter: the number of freedoms removed 
     "B": 1,  # ball on a plane
 }
 FREEDOMS_IN_SPACE = 6
-HIGHER = {"L", "B"}  # touch on a line or at a point; the others touch on a surface
 
 
 def freedoms(kind: str) -> int:

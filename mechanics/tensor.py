@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from math import fsum, hypot, sqrt
 
 from mechanics.checks import finite
+from mechanics.vectors import Vector, cross
 
-Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
 
 # Components that differ by less than this part of the largest are equal, as symmetry wants them.
@@ -84,12 +84,8 @@ def principal(tensor: Matrix) -> tuple[Vector, Matrix]:
             _rotate(a, v, p, q)
     order = sorted(range(3), key=lambda i: -a[i][i])
     first, second = (_upright([row[i] for row in v]) for i in order[:2])
-    third = (
-        first[1] * second[2] - first[2] * second[1],
-        first[2] * second[0] - first[0] * second[2],
-        first[0] * second[1] - first[1] * second[0],
-    )
-    return (a[order[0]][order[0]], a[order[1]][order[1]], a[order[2]][order[2]]), (first, second, third)
+    values = (a[order[0]][order[0]], a[order[1]][order[1]], a[order[2]][order[2]])
+    return values, (first, second, cross(first, second))
 
 
 def _rotate(a: list[list[float]], v: list[list[float]], p: int, q: int) -> None:

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from functools import reduce
 from math import cos, sin
 
-from mechanics.dh import Convention, JointType, Matrix, Row, Vector, check_variables
+from mechanics.dh import Convention, JointType, Row, check_variables
+from mechanics.vectors import Matrix, Vector, cross, dot
 
 IDENTITY: Matrix = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 ZERO: Matrix = ((0.0,) * 4,) * 4
@@ -71,19 +72,11 @@ def rigid_inverse(matrix: Matrix) -> Matrix:
     Source:
         Domain DH-1.
     """
-    x, y, z, p = (column[:3] for column in zip(*matrix, strict=True))
-    measures = (_dot(x, x) - 1, _dot(y, y) - 1, _dot(z, z) - 1, _dot(x, y), _dot(y, z), _dot(z, x))
-    if max(map(abs, measures)) > RIGID or _triple(x, y, z) < 0 or tuple(matrix[3]) != (0, 0, 0, 1):
+    x, y, z, p = ((column[0], column[1], column[2]) for column in zip(*matrix, strict=True))
+    measures = (dot(x, x) - 1, dot(y, y) - 1, dot(z, z) - 1, dot(x, y), dot(y, z), dot(z, x))
+    if max(map(abs, measures)) > RIGID or dot(x, cross(y, z)) < 0 or tuple(matrix[3]) != (0, 0, 0, 1):
         raise ValueError("not a rigid transform: R^T R = I, det R = +1 and a last row 0 0 0 1 are needed")
-    return (*((*axis, -_dot(axis, p)) for axis in (x, y, z)), (0.0, 0.0, 0.0, 1.0))
-
-
-def _dot(u: Sequence[float], w: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(u, w, strict=True))
-
-
-def _triple(u: Sequence[float], v: Sequence[float], w: Sequence[float]) -> float:
-    return _dot(u, (v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]))
+    return (*((*axis, -dot(axis, p)) for axis in (x, y, z)), (0.0, 0.0, 0.0, 1.0))
 
 
 def chain_pose(rows: Sequence[Row], q: Sequence[float], convention: Convention = "standard") -> Matrix:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import hypot
 
 from mechanics.checks import finite
-from mechanics.dh import Matrix, Vector
+
+Vector = tuple[float, float, float]
+Matrix = tuple[tuple[float, ...], ...]  # rows; the functions here take the first three of each
 
 ZERO: Vector = (0.0, 0.0, 0.0)
 
@@ -33,6 +36,12 @@ def dot(u: Sequence[float], w: Sequence[float]) -> float:
 def cross(u: Vector, w: Vector) -> Vector:
     """Multiply two vectors into the vector perpendicular to both."""
     return u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]
+
+
+def unit(u: Vector) -> Vector:
+    """Give the direction of a vector that is not zero, of length 1."""
+    length = hypot(*u)
+    return u[0] / length, u[1] / length, u[2] / length
 
 
 def times(matrix: Matrix, u: Vector) -> Vector:

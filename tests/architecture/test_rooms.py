@@ -11,7 +11,7 @@ import grimp
 import pytest
 
 ROOT = Path(__file__).parents[2]
-ROOMS = ("cli", "server", "exercises", "graders", "mechanics", "figures")
+ROOMS = ("cli", "server", "reports", "exercises", "graders", "mechanics", "figures")
 
 
 def test_no_module_is_silently_left_out_of_the_analysis() -> None:

@@ -18,7 +18,7 @@ DOCS = ROOT / "docs"
 PAGES = sorted([*ROOT.glob("*.md"), *DOCS.rglob("*.md")])
 EXAMPLES = DOCS / "examples"
 TUTORIAL = (DOCS / "tutorial.md").read_text("utf-8")
-ROOMS = ("cli", "server", "exercises", "graders", "mechanics", "figures")
+ROOMS = ("cli", "server", "reports", "exercises", "graders", "mechanics", "figures")
 
 
 def blocks(text: str, language: str) -> list[str]:

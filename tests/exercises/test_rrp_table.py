@@ -17,7 +17,7 @@ from graders.language import Symbols, parse
 from graders.language.text import text_of
 from graders.language.tree import Grid
 from mechanics import transform
-from mechanics.dh import Matrix
+from mechanics.vectors import Matrix
 from tests.depth import amount
 
 GIVENS = Givens(0.5, 0.1, 0.6, 1.1, 0.8, "down", "left")  # DH-13

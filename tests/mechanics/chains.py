@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from hypothesis import strategies as st
 
-from mechanics.dh import Convention, Matrix, Row, Vector
+from mechanics.dh import Convention, Row
 from mechanics.links import LinkMass
+from mechanics.vectors import Matrix, Vector
 
 numbers = st.floats(-4, 4)
 lengths = st.floats(-1, 1)

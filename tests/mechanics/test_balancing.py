@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from mechanics import balancing
 from mechanics.balancing import FourBarLinks, Plane, PointMass, balance, four_bar, opposite, three_points, two_points
 from mechanics.planar import Driver, Marker, Revolute, solve
+from mechanics.vectors import Vector
 
 masses = st.lists(
     st.builds(PointMass, st.floats(0, 5), st.floats(0.01, 0.5), st.floats(-7, 7), st.floats(-1, 1)),
@@ -79,7 +80,7 @@ vectors = st.tuples(*[st.floats(-9, 9)] * 3)
 
 @given(st.lists(st.tuples(st.floats(0, 9), vectors, vectors), max_size=5), vectors)
 def test_inertia_forces_move_to_another_point_as_a_system_of_forces_does(
-    points: list[tuple[float, balancing.Vector, balancing.Vector]], shift: balancing.Vector
+    points: list[tuple[float, Vector, Vector]], shift: Vector
 ) -> None:
     m, r, a = ([point[i] for point in points] for i in range(3))
     moved = [tuple(np.subtract(place, shift)) for place in r]

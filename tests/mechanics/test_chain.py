@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from mechanics import chain, transform
 from mechanics.chain import Chain, ChainMotion, pair_matrix
-from mechanics.dh import Convention, Matrix, Row, Vector
+from mechanics.dh import Convention, Row
+from mechanics.vectors import Matrix, Vector
 from tests.depth import amount
 
 quick = settings(max_examples=amount(13, 40), deadline=None)

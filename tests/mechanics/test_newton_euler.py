@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from mechanics import chain, lagrange, link_frames, newton_euler
 from mechanics.chain import Chain
-from mechanics.dh import Convention, Row, Vector
+from mechanics.dh import Convention, Row
 from mechanics.links import LinkMass, ToolLoad
-from mechanics.vectors import add, dot, scaled, subtract, times
+from mechanics.vectors import Vector, add, dot, scaled, subtract, times
 from tests.depth import amount
 from tests.mechanics.chains import Moving, conventions, diagonal, moving, vectors
 

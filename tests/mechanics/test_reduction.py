@@ -9,12 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechanics import inertia_force, reactions, reduction, slider_crank
-from mechanics.dh import Vector
 from mechanics.errors import SingularError
 from mechanics.reduction import Coordinate, Reduced, slider_crank_machine
 from mechanics.slider_crank import Branch
 from mechanics.transfer import Transfer
-from mechanics.vectors import add, cross, scaled
+from mechanics.vectors import Vector, add, cross, scaled
 from tests.depth import amount
 from tests.mechanics.chains import vectors
 

@@ -10,8 +10,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mechanics import rod_groups, transform
-from mechanics.dh import Vector
 from mechanics.errors import AssemblyError, SingularError
+from mechanics.vectors import Vector
 from tests.depth import amount
 
 quick = settings(max_examples=amount(13, 40), deadline=None)

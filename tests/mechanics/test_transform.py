@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.dh import Convention, Matrix, Row
+from mechanics.dh import Convention, Row
 from mechanics.transform import (
     IDENTITY,
     acceleration_matrix,
@@ -25,6 +25,7 @@ from mechanics.transform import (
     trans_z,
     velocity_matrix,
 )
+from mechanics.vectors import Matrix
 from tests.depth import amount
 
 quick = settings(max_examples=amount(13, 40), deadline=None)

@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 
 from mechanics import link_frames, newton_euler
 from mechanics.chain import Chain
-from mechanics.dh import Row, Vector
+from mechanics.dh import Row
 from mechanics.links import LinkMass
+from mechanics.vectors import Vector
 from tests.depth import amount
 from tests.mechanics.chains import diagonal
 

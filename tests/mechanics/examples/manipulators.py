@@ -6,8 +6,9 @@ from math import radians
 
 from mechanics import chain, link_frames, rod_groups, transform
 from mechanics.chain import Chain
-from mechanics.dh import Matrix, Row
+from mechanics.dh import Row
 from mechanics.transform import acceleration_matrix, moved_point, velocity_matrix
+from mechanics.vectors import Matrix
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 WORDS = (*rod_groups.GROUPS,)  # in the order of the groups, 1 to 6
