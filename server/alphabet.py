@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from unicodedata import normalize
 
 BARRED = str.maketrans("łøđħ", "lodh")  # letters with a bar, which Unicode does not take apart
@@ -9,4 +10,9 @@ BARRED = str.maketrans("łøđħ", "lodh")  # letters with a bar, which Unicode 
 
 def alphabetical(text: str) -> list[tuple[str, str]]:
     """Give the key to sort names by; a letter with a mark stands after the same letter without one."""
-    return [(normalize("NFD", letter.translate(BARRED))[0], letter) for letter in normalize("NFC", text).casefold()]
+    return [_placed(letter) for letter in normalize("NFC", text).casefold()]
+
+
+@lru_cache(maxsize=4096)
+def _placed(letter: str) -> tuple[str, str]:
+    return normalize("NFD", letter.translate(BARRED))[0], letter

@@ -9,6 +9,7 @@ from typing import Any
 
 from sqlalchemy import ColumnElement, Connection, RowMapping, bindparam, delete, func, insert, or_, select, update
 
+from server.alphabet import alphabetical
 from server.database.audit import note, noting
 from server.database.connections import Connections
 from server.database.once import insert_once
@@ -115,9 +116,7 @@ class People:
 
     async def find(self, text: str, skip: int, most: int) -> Sequence[Person]:
         """List people by name whose login begins so, or whose name holds it; all for an empty text."""
-        query = select(persons).where(_called(text)).order_by(persons.c.name, persons.c.id).offset(skip).limit(most)
-        rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
-        return [person_of(row) for row in rows]
+        return await self._connections.read(lambda connection: _find(connection, text, skip, most))
 
     async def set_role(self, number: str, role: str, entry: Entry) -> bool:
         """Give a person another role on the server; False where there is no such person."""
@@ -221,6 +220,16 @@ def _claim(connection: Connection, number: str, course: str, password: str, now:
     connection.execute(update(memberships).where(*mine).values(claimed=now))
     _note_everywhere(connection, Entry(number, Action.PLACE_CLAIMED, number, course))
     return True
+
+
+def _find(connection: Connection, text: str, skip: int, most: int) -> list[Person]:
+    """No store sorts as people do, so names alone are read and sorted, and of one page the people."""
+    called = connection.execute(select(persons.c.id, persons.c.name).where(_called(text)))
+    listed = sorted(called, key=lambda one: (alphabetical(one.name), one.id))
+    numbers = [one.id for one in listed[skip : skip + most]]
+    rows = connection.execute(select(persons).where(persons.c.id.in_(numbers))).mappings()
+    found = {row["id"]: person_of(row) for row in rows}
+    return [found[number] for number in numbers if number in found]
 
 
 def _called(text: str) -> ColumnElement[bool]:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 
 from server.alphabet import alphabetical
+from server.people import everybody
 from server.storage.courses import Row
-from tests.server.school import School
+from server.storage.people import Person
+from tests.server.school import NOW, School
 
 
 @pytest.mark.parametrize(
@@ -28,3 +30,17 @@ def test_members_are_listed_by_the_alphabet_after_those_who_teach(school: School
     assert browser.post(f"{place}/roster", json={"csv": lines, "apply": True}).status_code == 200
     names = [one["name"] for one in browser.get(f"{place}/members").json()]
     assert names == ["Lecturer", "Assistant", "Ćma Róża", "Leaver", "Łoś Ewa", "Other", "Student", "Zwykły Adam"]
+
+
+def test_accounts_are_listed_by_the_alphabet_over_all_pages(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(everybody, "AT_ONCE", 2)
+    for number, name in enumerate(("Zwykły Adam", "Ćma Róża", "Łoś Ewa", "Ёлкина Юлия", "Жук Олег", "adamska Ola")):
+        school.portal.call(
+            school.bench.people.add, Person(f"NAME-NAME-000{number}", f"7{number}", name, "student", NOW)
+        )
+    browser, names, following = school.browser("administrator"), [], "/api/v1/people?q=7"
+    while following:
+        part = browser.get(following).json()
+        names += [one["name"] for one in part["people"]]
+        following = part["next"]
+    assert names == ["adamska Ola", "Ćma Róża", "Łoś Ewa", "Zwykły Adam", "Ёлкина Юлия", "Жук Олег"]
