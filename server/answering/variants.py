@@ -269,9 +269,9 @@ def restored(dealt: Dealt) -> Variant:
 
 async def presented(bench: Bench, dealt: Dealt, language: str) -> presenting.Presented:
     """Present a variant in a language; one from a set as it was published."""
-    place = await bench.sets.place(dealt.id) if dealt.code else None
-    if place is not None:
-        return PRESENTED.validate_python(place.card.shown[language])
+    card = await bench.sets.shown(dealt.id, language) if dealt.code else None
+    if card is not None:
+        return PRESENTED.validate_python(card)
     return await bench.judging.run(_presented, restored(dealt), language)
 
 

@@ -127,6 +127,7 @@ def _erase(connection: Connection, number: str, prune: Prune) -> bool:
     connection.execute(update(marks).where(marks.c.submission.in_(mine)).values(comment=""))
     connection.execute(update(grades).where(grades.c.submission.in_(mine)).values(reason=None))
     connection.execute(update(accommodations).where(accommodations.c.person == number).values(reason=""))
+    connection.execute(update(task_sets).where(task_sets.c.changed_by == number).values(changed_by=None))
     for table in (memberships, sessions, api_tokens, links):
         connection.execute(delete(table).where(table.c.person == number))
     return True

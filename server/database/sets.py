@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from datetime import datetime
 from functools import partial
 from typing import Any
@@ -27,10 +28,12 @@ from server.storage.sets import (
     Slot,
     TaskSet,
     Waiting,
+    weights_of,
 )  # fmt: skip
 from server.tables import accommodations, memberships, slots, task_sets
 from server.tables import deck as cards
 
+NOT_READ: Mapping[str, Any] = {}
 MOST_SETS = 1000  # published ones whose slots are remembered
 SLOTS = select(slots).where(slots.c.task_set == bindparam("number")).order_by(slots.c.number)
 GIVEN, OPENED, AMONG = accommodations.c, cards.alias().c, slots.alias().c
@@ -39,9 +42,11 @@ THEIRS = OPENED.slot == AMONG.id, AMONG.task_set == task_sets.c.id, OPENED.perso
 ENROLLED = (
     memberships.c.course == task_sets.c.course, memberships.c.person == cards.c.person, memberships.c.role == "student",
 )  # fmt: skip
+BRIEF = tuple(column for column in cards.columns if column is not cards.c.shown)
+SHOWN = select(cards.c.shown).where(cards.c.id == bindparam("number"))
 PLACE = (
     select(
-        cards, task_sets,
+        *BRIEF, task_sets,
         select(GIVEN.minutes).where(EXTRA, GIVEN.person == cards.c.person).scalar_subquery().label("extra"),
         select(func.max(GIVEN.minutes)).where(EXTRA).scalar_subquery().label("most"),
         select(func.min(OPENED.dealt)).where(*THEIRS).scalar_subquery().label("begun"),
@@ -119,6 +124,11 @@ class Sets:
     async def place(self, variant: str) -> Place | None:
         """Tell where a variant stands; None for practice."""
         return await self._connections.read(lambda connection: _place(connection, variant, self._slots))
+
+    async def shown(self, variant: str, language: str) -> Mapping[str, Any] | None:
+        """Give what the card of a variant shows in a language; None for practice."""
+        query = select(cards.c.shown[language]).where(cards.c.variant == variant)
+        return await self._connections.read(lambda connection: connection.execute(query).scalar_one_or_none())
 
     async def begun(self, number: str, person: str) -> datetime | None:
         """Tell when a student first opened a set."""
@@ -242,7 +252,9 @@ def _place(connection: Connection, variant: str, known: dict[str, tuple[Slot, ..
     row = connection.execute(PLACE, {"variant": variant}).mappings().first()
     if row is None:
         return None
-    card = Card(**{column.name: row[column] for column in cards.columns})
+    card = Card(shown=NOT_READ, **{column.name: row[column] for column in BRIEF})
+    if card.weights is None:  # dealt by an older version
+        card = replace(card, weights=weights_of(connection.execute(SHOWN, {"number": card.id}).scalar_one()))
     found = _task_set(row, known.get(row[task_sets.c.id]) or _slots(connection, row[task_sets.c.id], known))
     slot = next(slot for slot in found.slots if slot.id == card.slot)
     return Place(found, slot, card, row["extra"] or 0, row["begun"], row["most"] or 0, row["enrolled"])

@@ -97,7 +97,8 @@ async def change_set(task_set: str, body: ChangedTaskSet, bench: Tools, reader: 
         if changes.get(name, "") is None:
             raise Refused(422, "wrong_type", field=name, name=name)
     draft = building.merged(building.draft_of(old), changes)
-    return shown_set(await building.change(bench, old, course, draft, body.revision))
+    person = reader.person.id if reader.person else None
+    return shown_set(await building.change(bench, old, course, draft, body.revision, person))
 
 
 @router.delete("/task-sets/{task_set}", status_code=204, responses=FROZEN)

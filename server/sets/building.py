@@ -68,13 +68,16 @@ async def add(bench: Bench, course: Course, draft: Draft) -> TaskSet:
     return new
 
 
-async def change(bench: Bench, old: TaskSet, course: Course, draft: Draft, revision: int) -> TaskSet:
-    """Store a draft anew.
+async def change(
+    bench: Bench, old: TaskSet, course: Course, draft: Draft, revision: int, person: str | None = None
+) -> TaskSet:
+    """Store a draft anew, as it was changed by a person.
 
     Raises:
         Refused: 409, it is published, or was changed meanwhile; 422, something in it cannot be.
     """
     new = _made(old.id, course, draft, revision + 1, old.created)
+    new = replace(new, changed=datetime.now(UTC), changed_by=person)
     await _refuse_what_cannot_be(bench, new, draft)
     try:
         await bench.sets.change(new, revision)
@@ -181,7 +184,8 @@ async def copy(
     slots = tuple(replace(slot, id=ids.new(), task_set=number) for slot in task_set.slots)
     new = replace(
         task_set, id=number, course=course.id, rules=rules, state=DRAFT, published=None, revision=1,
-        created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes, extended=(),
+        created=datetime.now(UTC), slots=slots, opens=opens, due=due, closes=closes, extended=(), changed=None,
+        changed_by=None,
     )  # fmt: skip
     entry = Entry(actor, Action.SET_COPIED, number, course.id, {"from": task_set.id, "days": days})
     await bench.sets.add(new, entry)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from typing import Any
 from zoneinfo import ZoneInfo
@@ -36,7 +37,20 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
         for slot in task_set.slots
     ]
     shown = {name: local(moment, place) if moment else "" for name, moment in moments.items()}
-    return {**shown, **_written(rules_of(task_set)), "title": task_set.title, "add": "", "slots": slots}
+    form = {**shown, **_written(rules_of(task_set)), "title": task_set.title, "add": "", "slots": slots}
+    return form | {"revision": task_set.revision, "base": json.dumps(flat(form), ensure_ascii=False)}
+
+
+def flat(form: Mapping[str, Any]) -> dict[str, str]:
+    """Give the fields of a form by their names, as texts."""
+    slots = {f"slot.{one['number']}.{name}": one[name] for one in form["slots"] for name in OF_SLOT}
+    fields = {name: form[name] for name in OF_SET if name != "add"} | slots
+    return {name: f"{value:.12g}" if isinstance(value, float) else str(value) for name, value in fields.items()}
+
+
+def unflat(fields: Mapping[str, str]) -> dict[str, Any]:
+    """Give the values of a form by the names of its fields."""
+    return typed(fields) | {"add": ""}
 
 
 def _written(rules: Rules) -> dict[str, Any]:
@@ -55,20 +69,20 @@ def typed(values: Mapping[str, str]) -> dict[str, Any]:
         {"number": number, **{name: values.get(f"slot.{number}.{name}", "") for name in OF_SLOT}}
         for number in _numbers(values)
     ]
-    return {name: values.get(name, "") for name in OF_SET} | {"slots": slots}
+    return {name: values.get(name, "") for name in (*OF_SET, "revision", "base")} | {"slots": slots}
 
 
 def problem(language: str, refused: Refused) -> str:
     """Word why the form cannot be taken, with the field as the form calls it."""
     if refused.said:
         return refused.said
-    place = _label(language, refused.field or "")
+    place = label(language, refused.field or "")
     if "name" in refused.values:
         return say(language, f"errors.{refused.code}", **refused.values | {"name": place})
     return ": ".join(filter(None, (place, say(language, f"errors.{refused.code}", **refused.values))))
 
 
-def _label(language: str, field: str) -> str:
+def label(language: str, field: str) -> str:
     """Name a field such as `items.0.points` or `rules.late_loss`; what the form has no word for is named as typed."""
     first, *rest = field.split(".")
     if first == "items" and rest:

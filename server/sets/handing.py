@@ -21,6 +21,7 @@ from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
 from server.storage import KeyReused, Marked, Problem
 from server.storage.sets import PUBLISHED, Card, NoAttemptLeft, Place, Slot, TaskSet, Waiting
+from server.storage.sets import weights_of as weights_in
 from server.web import ids
 from server.web.errors import Refused
 from server.web.language import DEFAULT, say
@@ -185,7 +186,7 @@ def _judged(card: Card, submission: Submission, secret: bytes, limited: bool) ->
 
 def weights_of(card: Card) -> dict[str, float]:
     """Give the weights of the answers of a card."""
-    return {name: field["weight"] for name, field in next(iter(card.shown.values()))["answers"].items()}
+    return weights_in(card.shown) if card.weights is None else dict(card.weights)
 
 
 def reproduced(card: Card) -> bool:

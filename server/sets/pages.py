@@ -23,6 +23,7 @@ from server.reader import Asking, Reader, admit
 from server.sets import building, clock, publishing
 from server.sets.api import copied, listed, more_time, own_variant, printed, published, set_of, slot_of
 from server.sets.building import Draft
+from server.sets.clash import clash
 from server.sets.form import draft_of_form, problem, typed, written
 from server.sets.previewing import preview
 from server.sets.shapes import MoreTime
@@ -32,6 +33,7 @@ from server.web.errors import Refused, printable, wants_page
 from server.web.templating import page
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
+NO_CLASH: Mapping[str, Any] = {"clash": None, "who": None, "mine": False}
 PATIENCE = 2.0  # s that a person waits for a set to be published without seeing how far it is
 Seed = Annotated[int, Query(ge=0, le=MAX_SEED)]
 Number = Annotated[int, Path(ge=1, le=building.MOST_SLOTS)]
@@ -77,18 +79,48 @@ async def show_set(
 async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Save the draft as the form has it, and publish it if that was asked."""
     old, values = await set_of(bench, reader, task_set), (await forms.read(request)).values
+    kept = typed(values)
+    try:
+        new = await _changed(bench, reader, old, values)
+        old, kept = new, kept | _loaded(written(new, clock.zone(here(reader).course.time_zone)))
+        job = await published(bench, reader, new, PATIENCE) if values.get("then") == "publish" else None
+    except Refused as refused:
+        if not wants_page(request):
+            raise
+        if (refused.status_code, refused.field) == (409, "revision"):
+            return await _clashed(request, bench, reader, task_set, values)
+        if refused.status_code != 422:
+            raise
+        return await _builder(request, bench, reader, old, typed=kept, refused=refused)
+    return RedirectResponse(f"/jobs/{job.id}" if job and job.live else f"/sets/{new.id}", 303)
+
+
+async def _changed(bench: Bench, reader: Reader, old: TaskSet, values: Mapping[str, str]) -> TaskSet:
     revision = values.get("revision", "")
     if not (revision.isascii() and revision.isdecimal() and len(revision) < 10):
         raise Refused(422, "out_of_range", field="revision", name="revision")
-    try:
-        new = await building.change(bench, old, here(reader).course, _checked(draft_of_form(values)), int(revision))
-        old = new
-        job = await published(bench, reader, new, PATIENCE) if values.get("then") == "publish" else None
-    except Refused as refused:
-        if refused.status_code != 422 or not wants_page(request):
-            raise
-        return await _builder(request, bench, reader, old, typed=typed(values), refused=refused)
-    return RedirectResponse(f"/jobs/{job.id}" if job and job.live else f"/sets/{new.id}", 303)
+    draft, person = _checked(draft_of_form(values)), reader.person.id if reader.person else None
+    return await building.change(bench, old, here(reader).course, draft, int(revision), person)
+
+
+def _loaded(form: Mapping[str, Any]) -> dict[str, Any]:
+    """Give what a form tells of the draft that it was loaded from."""
+    return {name: form[name] for name in ("revision", "base")}
+
+
+async def _clashed(
+    request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]
+) -> HTMLResponse:
+    """Give back what was typed into a draft that has changed meanwhile, with who changed what, to save or to let go."""
+    found = await set_of(bench, reader, number)
+    titles = {one.id: one.title for one in await bench.sets.of(found.course)}
+    stored = written(found, clock.zone(here(reader).course.time_zone))
+    both = clash(reader.language, values, stored, titles)
+    who = await bench.people.person(found.changed_by) if found.changed_by else None
+    mine = reader.person is not None and found.changed_by == reader.person.id
+    told = {"clash": both, "who": who.name if who else None, "mine": mine}
+    form = both.form if found.state == DRAFT else stored
+    return await _builder(request, bench, reader, found, typed=form, told=told, status=409)
 
 
 @router.post("/sets/{task_set}/remove")
@@ -186,17 +218,18 @@ def _common(reader: Reader) -> dict[str, Any]:
 async def _builder(
     request: Request, bench: Bench, reader: Reader, found: TaskSet, number: int = 1, seed: int = 1, table: bool = False,
     typed: Mapping[str, Any] | None = None, refused: Refused | None = None,
+    told: Mapping[str, Any] = NO_CLASH, status: int = 200,
 ) -> HTMLResponse:  # fmt: skip
     """Show the builder; after a refusal with what was typed, and why it cannot be taken."""
     slot = found.slots[min(number, len(found.slots)) - 1] if found.slots else None
     place = clock.zone(here(reader).course.time_zone)
     job = await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None
     dealt = await bench.jobs.progress(job.id) if job else ()
-    told = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
+    unfit = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
     context = {
         "task_set": found,
         "written": typed or written(found, place),
-        "problem": problem(reader.language, told) if told else None,
+        "problem": problem(reader.language, unfit) if unfit else None,
         "wait": None,
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
@@ -212,8 +245,8 @@ async def _builder(
         else None,
         "catalogue": [(one, await title_of(bench, one, reader.language)) for one in catalogue.ids()],
     }
-    status = refused.status_code if refused else 200
-    return page(request, reader.language, "builder.html", context | _common(reader), status=status)
+    status = refused.status_code if refused else status
+    return page(request, reader.language, "builder.html", {**context, **told, **_common(reader)}, status=status)
 
 
 def _may_be_first(one: TaskSet, second: TaskSet) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 
 from server.sets.dealing import Drawn, Plan
-from server.storage.sets import Card, Slot, TaskSet
+from server.storage.sets import Card, Slot, TaskSet, weights_of
 from server.web import ids
 
 CODE = 9  # signs of a code, such as 7F3K-2M0Q
@@ -31,5 +31,5 @@ def stored(slot: str, number: int, drawn: Drawn, person: str | None) -> Card:
     return Card(
         id=ids.new(), slot=slot, number=number, code=ids.new()[:CODE], exercise=drawn.exercise, version=drawn.version,
         seed=drawn.seed, givens=drawn.givens, shown=drawn.shown, reference=drawn.reference, person=person, turn=1,
-        variant=None, dealt=None,
+        variant=None, dealt=None, weights=weights_of(drawn.shown),
     )  # fmt: skip

@@ -35,6 +35,8 @@ class TaskSet:
         state: draft, publishing (its deck is being dealt) or published.
         revision: Grows with every change of the draft, and with every move of the deadlines.
         extended: When deadlines were moved, and by how many minutes: time limits that ran then are longer.
+        changed: When the draft was changed last.
+        changed_by: The person who did; none where it was a token of nobody, or one who has been erased.
     """
 
     id: str
@@ -50,6 +52,8 @@ class TaskSet:
     created: datetime
     slots: tuple[Slot, ...] = ()
     extended: Sequence[tuple[str, int]] = ()
+    changed: datetime | None = None
+    changed_by: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +67,7 @@ class Card:
         person: For whom it is kept; none for a spare one.
         turn: 1, more where it replaced a card that was at fault.
         variant: The variant it was dealt as.
+        weights: Of its answers; none where they stand in what is shown alone.
     """
 
     id: str
@@ -79,12 +84,21 @@ class Card:
     turn: int
     variant: str | None
     dealt: datetime | None
+    weights: Mapping[str, float] | None = None
+
+
+def weights_of(shown: Mapping[str, Any]) -> dict[str, float]:
+    """Give the weights of the answers of a card from what it shows."""
+    return {name: field["weight"] for name, field in next(iter(shown.values()))["answers"].items()}
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
     """Where a variant stands: its set, slot and card, how much longer its student may work, since when, and whether the
-    student is in the course still; `most` is the extra time of whoever has the most in the set."""
+    student is in the course still; `most` is the extra time of whoever has the most in the set.
+
+    What the card shows is long, and is not read with its place; the weights of its answers are.
+    """
 
     task_set: TaskSet
     slot: Slot
@@ -215,6 +229,10 @@ class Sets(Protocol):
 
     async def place(self, variant: str) -> Place | None:
         """Tell where a variant stands; None for practice."""
+        ...
+
+    async def shown(self, variant: str, language: str) -> Mapping[str, Any] | None:
+        """Give what the card of a variant shows in a language; None for practice."""
         ...
 
     async def begun(self, number: str, person: str) -> datetime | None:

@@ -20,6 +20,8 @@ task_sets = Table(
     Column("revision", Integer, nullable=False),  # so that two builders do not overwrite each other
     Column("created", Moment, nullable=False),
     Column("extended", JSON, nullable=False, server_default="[]"),  # [moment, minutes]: time limits that ran then
+    Column("changed", Moment),  # the draft, and by whom
+    Column("changed_by", String(32)),
     Index(None, "course"),
 )  # fmt: skip
 
@@ -51,6 +53,7 @@ deck = Table(
     Column("turn", Integer, nullable=False),  # 1, more where a faulty variant was replaced
     Column("variant", ForeignKey("variants.id"), unique=True),
     Column("dealt", Moment),
+    Column("weights", JSON(none_as_null=True)),  # of the answers; none on a card of an older version: in what it shows
     UniqueConstraint("slot", "number"),
     UniqueConstraint("slot", "person", "turn"),
     # A gradebook is read from the index alone: what the cards show is hundreds of megabytes.

@@ -68,6 +68,6 @@ def card(of: Slot, number: int, person: str | None = None) -> Card:
     code = f"{of.id[-8:]}-{number}"
     return Card(
         id=f"{of.id}-{number}", slot=of.id, number=number, code=code, exercise="slider_crank", version=1, seed=number,
-        givens={"l1": 0.05}, shown={"pl": {"title": f"{number}"}}, reference={"values": {}}, person=person, turn=1,
-        variant=None, dealt=None,
+        givens={"l1": 0.05}, shown={"pl": {"title": f"{number}", "answers": {"l3": {"weight": 2.0}}}},
+        reference={"values": {}}, person=person, turn=1, variant=None, dealt=None, weights={"l3": 2.0},
     )  # fmt: skip

@@ -187,10 +187,9 @@ def test_what_the_builder_cannot_take_is_told_beside_all_that_was_typed(
     reply = course.lecturer.post(f"{path}?lang={language}", data=values, headers=browser)
     assert reply.status_code == 422 and said in unescape(reply.text) and 'role="alert"' in reply.text
     kept = fields(reply.text)
-    assert {name: kept[name] for name in values if name not in ("then", "revision")} == {
-        name: value for name, value in values.items() if name not in ("then", "revision")
-    }
-    repaired = kept | {"title": "Set 8", **fields(page.text), "revision": kept["revision"]}
+    typed = {name: value for name, value in values.items() if name not in ("then", "revision", "base")}
+    assert {name: kept[name] for name in typed} == typed
+    repaired = kept | {"title": "Set 8", **fields(page.text), "revision": kept["revision"], "base": kept["base"]}
     assert course.lecturer.post(path, data=repaired).status_code == 303
 
 

@@ -10,16 +10,18 @@ from datetime import timedelta
 from typing import Any
 
 import pytest
-from sqlalchemy import Engine, event
+from sqlalchemy import Engine, event, update
 
 from server.database import Database
 from server.database import marks as marks_of
 from server.database import sets as sets_of
+from server.database.engine import engine
 from server.migrate import migrate
 from server.settings import Settings
 from server.storage import Draft, Handed, KeyReused, Marked
 from server.storage.marks import Mark, Progress
 from server.storage.sets import Card, DeadlinesMoved, Hint, NoAttemptLeft, NotADraft, Slot, TaskSet
+from server.tables import deck
 from tests.server.sets.classroom import COURSE, NOW, card, draft, enrol, publish, slot
 
 STUDENTS = ("anna", "bob", "celia", "dora", "emil")
@@ -111,7 +113,8 @@ def test_a_student_is_dealt_his_own_card_once(school: School) -> None:
     assert (dealt.number, dealt.person, dealt.dealt) == (2, "bob", NOW)
     assert school.opened(slot, "bob", "another") == dealt
     place = asyncio.run(school.one.sets.place(dealt.variant or ""))
-    assert place is not None and (place.card, place.slot, place.begun, place.extra) == (dealt, slot, NOW, 0)
+    brief = replace(dealt, shown={})
+    assert place is not None and (place.card, place.slot, place.begun, place.extra) == (brief, slot, NOW, 0)
     assert asyncio.run(school.one.sets.place("another")) is None
 
 
@@ -311,6 +314,23 @@ def test_the_slots_of_a_published_set_are_read_once_and_its_deadlines_each_time(
         for variant in (other, mine):
             found = asyncio.run(school.one.sets.place(variant))
             assert found is not None and found.slot in found.task_set.slots
+
+
+def test_the_place_of_a_card_is_told_without_what_it_shows_unless_its_weights_stand_there_alone(school: School) -> None:
+    new = school.published()
+    mine, other = (school.opened(new.slots[0], who).variant or "" for who in ("anna", "bob"))
+    bare = update(deck).where(deck.c.variant == other).values(weights=None)  # as an older version dealt it
+    store = engine(school.url, connections=1)
+    with store.begin() as connection:
+        connection.execute(bare)
+    store.dispose()
+    asked: list[str] = []
+    with listening(lambda *told: asked.append(told[2])):
+        found = [asyncio.run(school.one.sets.place(variant)) for variant in (mine, other)]
+    assert [place and place.card.weights for place in found] == [{"l3": 2.0}] * 2
+    assert sum("shown" in one for one in asked) == 1
+    shown = [asyncio.run(school.one.sets.shown(variant, "pl")) for variant in (mine, "practice")]
+    assert shown[0] is not None and (shown[0]["title"], shown[1]) == ("1", None)
 
 
 @contextmanager

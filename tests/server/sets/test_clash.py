@@ -1,0 +1,119 @@
+"""A draft changed in two windows: nobody's work is lost, and it is said who did what."""
+
+from __future__ import annotations
+
+from html import unescape
+from json import dumps
+from typing import Any
+
+import pytest
+from starlette.testclient import TestClient
+
+from server.sets.clash import Row, clash
+from server.sets.form import flat, unflat
+from tests.server.sets.conftest import EXERCISE, Course
+from tests.server.sets.test_pages import fields, saved, started
+
+BROWSER = {"accept": "text/html", "accept-language": "en"}
+
+
+def form(**changes: str) -> dict[str, str]:
+    plain = flat(unflat({"title": "Set", "slot.1.pool": "a", "slot.1.points": "1", "slot.2.pool": "b"}))
+    return plain | {name.replace("__", "."): text for name, text in changes.items()}
+
+
+def met(base: dict[str, str], mine: dict[str, str], theirs: dict[str, str]) -> Any:
+    stored = unflat(theirs) | {"revision": 3, "base": "{}"}
+    return clash("en", mine | {"base": dumps(base)}, stored, {"S1": "Set 1"})
+
+
+def test_fields_that_one_side_changed_are_taken_from_it_and_both_sides_are_shown_where_they_differ() -> None:
+    mine = form(title="Mine", slot__1__points="2,5", minutes="45")
+    theirs = form(title="Theirs", slot__1__points="2.50", slot__2__attempts="3", mode="exam")
+    found = met(form(slot__1__points="1.0"), mine, theirs)
+    assert found.both == (Row("Title of the set", "Theirs", "Mine"),)
+    assert found.theirs == ("Kind", "Task 2, Attempts")
+    merged = flat(found.form)
+    assert (merged["title"], merged["minutes"], merged["mode"], merged["slot.2.attempts"]) == (
+        "Mine",
+        "45",
+        "exam",
+        "3",
+    )
+
+
+def test_tasks_that_were_moved_or_added_are_taken_as_a_whole() -> None:
+    moved = form(slot__1__pool="b", slot__2__pool="a")
+    assert flat(met(form(), form(title="Mine"), moved).form) == {**moved, "title": "Mine"}
+    mine = form(slot__1__points="2")
+    found = met(form(), mine, moved)
+    assert flat(found.form) == mine
+    assert found.both == (Row("Tasks", "b 1; a", "a 2; b"),)
+
+
+def test_without_what_was_loaded_all_that_differs_is_shown_and_what_was_typed_stays() -> None:
+    for base in ("", "[", "[1]", "[" * 100_000):
+        found = clash("en", form(due="2030-01-31T12:00", second_chance_of="S1") | {"base": base},
+                      unflat(form(title="Other")) | {"revision": 3, "base": "{}"}, {"S1": "Set 1"})  # fmt: skip
+        assert found.theirs == () and flat(found.form)["title"] == "Set"
+        assert {Row("Due", "—", "2030-01-31 12:00"), Row("Second chance to the set", "—", "Set 1")} <= set(found.both)
+
+
+def posted(browser: TestClient, path: str, values: dict[str, str]) -> Any:
+    return browser.post(path, data=values, headers=BROWSER)
+
+
+@pytest.fixture
+def draft(course: Course) -> str:
+    path = started(course)
+    saved(course.lecturer, path, add=EXERCISE)
+    return path
+
+
+def test_what_was_typed_into_a_draft_that_has_changed_comes_back_and_can_be_saved_or_let_go(
+    course: Course, draft: str
+) -> None:
+    one = fields(course.lecturer.get(draft).text)
+    saved(course.lecturer, draft, title="In the other window", minutes="45")
+    reply = posted(course.lecturer, draft, one | {"title": "In this one", "slot.1.points": "3"})
+    page = unescape(reply.text)
+    assert reply.status_code == 409 and 'role="alert"' in page and "You changed it in another window (" in page
+    assert "Taken over, since you changed nothing there: Time limit in minutes." in page
+    assert f'<a class="btn" href="{draft}">Load what is stored</a>' in page
+    again = fields(page)
+    assert (again["title"], again["minutes"], again["slot.1.points"]) == ("In this one", "45", "3")
+    assert "In the other window</td>" in page and "In this one</td>" in page
+    assert posted(course.lecturer, draft, again).status_code == 303
+    kept = fields(course.lecturer.get(draft).text)
+    assert (kept["title"], kept["minutes"], kept["slot.1.points"]) == ("In this one", "45", "3")
+
+
+def test_it_is_said_who_changed_the_draft(course: Course, draft: str) -> None:
+    number, school = draft.rpartition("/")[2], course.school
+    one = fields(course.lecturer.get(draft).text)
+    members = course.lecturer.get(f"/api/v1/courses/{school.course}/members").json()
+    other = next(member for member in members if member["login"] == "assistant")
+    path = f"/api/v1/courses/{school.course}/members/{other['id']}"
+    assert course.lecturer.patch(path, json={"role": "lecturer"}).status_code == 200
+    body = {"revision": int(one["revision"]), "title": "By the other"}
+    assert school.browser("assistant").patch(f"/api/v1/task-sets/{number}", json=body).status_code == 200
+    page = unescape(posted(course.lecturer, draft, one | {"minutes": "30"}).text)
+    assert f"{other['name']} changed it (" in page
+
+
+def test_a_set_that_was_published_meanwhile_shows_what_was_not_saved(course: Course, draft: str) -> None:
+    one = fields(course.lecturer.get(draft).text)
+    saved(course.lecturer, draft, then="publish")
+    reply = posted(course.lecturer, draft, one | {"title": "Too late"})
+    page = unescape(reply.text)
+    assert reply.status_code == 409 and "This set is published and does not change any more." in page
+    assert "Too late</td>" in page and "Save what I typed" not in page and 'name="then"' not in page
+
+
+def test_a_form_that_is_refused_does_not_forget_which_draft_it_was_made_for(course: Course, draft: str) -> None:
+    one = fields(course.lecturer.get(draft).text)
+    saved(course.lecturer, draft, title="In the other window")
+    refused = posted(course.lecturer, draft, one | {"slot.1.points": "many"})
+    assert refused.status_code == 422
+    repaired = fields(refused.text) | {"slot.1.points": "2"}
+    assert posted(course.lecturer, draft, repaired).status_code == 409
