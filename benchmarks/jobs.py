@@ -49,7 +49,7 @@ def work(url: str, working: Event) -> None:
         asyncio.run(Engine(bureau, "server", 2).run())
     else:
         queue.TAKING_BACK, queue.SILENT, queue.HEARTBEAT = "* * * * * *", 3.0, 1.0
-        asyncio.run(queue.run(queue.application(url, bureau, 2), 2, signals=True))
+        asyncio.run(queue.run_until_told(url, bureau, 2))
 
 
 def killed(url: str, chance: random.Random) -> None:

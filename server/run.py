@@ -102,9 +102,8 @@ async def _work(settings: Settings, most: int) -> None:
     database, judging = Database(settings.store_url), JudgingThread(most)
     secret = settings.secret or secret_of(settings.store_url)
     try:
-        app = queue.application(settings.store_url, Bureau(database.jobs, judging, secret, KINDS), most)
         print(f"Grübler works, {most} batches at a time", flush=True)
-        await queue.run(app, most, signals=True)
+        await queue.run_until_told(settings.store_url, Bureau(database.jobs, judging, secret, KINDS), most)
     finally:
         judging.close()
         database.close()

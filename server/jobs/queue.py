@@ -6,6 +6,7 @@ import asyncio
 import logging
 import os
 import platform
+import signal
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 
@@ -60,12 +61,12 @@ async def _taken_back(app: App, job: Job) -> None:
         await app.job_manager.finish_job(job, Status.FAILED, delete_job=True)
 
 
-async def run(app: App, most: int, *, signals: bool) -> None:
+async def run(app: App, most: int) -> None:
     """Work until told to stop; batches under way may end, or are given back."""
     async with _opened(app):
         await app.run_worker_async(
             queues=[QUEUE], concurrency=most, delete_jobs="always", shutdown_graceful_timeout=GRACE,
-            install_signal_handlers=signals, update_heartbeat_interval=HEARTBEAT, stalled_worker_timeout=SILENT,
+            install_signal_handlers=False, update_heartbeat_interval=HEARTBEAT, stalled_worker_timeout=SILENT,
         )  # fmt: skip
 
 
@@ -83,10 +84,20 @@ async def _opened(app: App) -> AsyncIterator[None]:
 
 
 async def run_on(url: str, bureau: Bureau, most: int) -> None:
-    """Work in a server until cancelled, also over times in which the database is away."""
+    """Work until cancelled, also over times in which the database is away: Procrastinate ends its worker then."""
     while True:
         try:
-            await run(application(url, bureau, most), most, signals=False)
+            await run(application(url, bureau, most), most)
+            log.warning("the queue was left without being told to, and is begun again")
         except ConnectorException as error:
             log.warning("the queue waits for the database: %s", error)
         await asyncio.sleep(AGAIN)
+
+
+async def run_until_told(url: str, bureau: Bureau, most: int) -> None:
+    """Work as `run_on` does until a signal tells the process to end; a second one changes nothing."""
+    working = asyncio.ensure_future(run_on(url, bureau, most))
+    for told in (signal.SIGINT, signal.SIGTERM):
+        asyncio.get_running_loop().add_signal_handler(told, lambda: working.cancelling() or working.cancel())
+    with suppress(asyncio.CancelledError):
+        await working

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
+import os
+import subprocess
+import sys
+import time
 from collections.abc import Iterator
 from concurrent.futures import Future
 from pathlib import Path
@@ -12,12 +17,17 @@ from sqlalchemy import Connection, event, text
 from starlette.testclient import TestClient
 
 from server.app import create_app
+from server.database import Database
 from server.database.engine import engine
 from server.database.writer import Writer
+from server.jobs.working import Bureau
 from server.run import migrate
 from server.settings import Settings
 from server.storage import StorageUnavailable
 from tests.conftest import REQUIRED
+from tests.server.jobs.counting import KINDS, Here, order
+from tests.server.jobs.test_engine import ended
+from tests.server.jobs.test_queue import ROOT, WORKER
 from tests.server.stores import OwnPostgres, running
 
 ANSWERS = {"answers": {"l3": "1 mm"}}
@@ -112,3 +122,37 @@ def test_what_was_typed_does_not_stand_in_the_error_of_a_database(server: OwnPos
         assert "12,5" not in str(caught.value)
         writer.close()
         store.dispose()
+
+
+def test_a_worker_goes_on_once_the_database_is_back_and_ends_when_it_is_told(server: OwnPostgres) -> None:
+    url = Settings(database_url=server.address).store_url
+    migrate(Settings(database_url=server.address))
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": "1"}
+    worker = subprocess.Popen([sys.executable, "-c", WORKER, url], env=environment, stderr=subprocess.DEVNULL)
+    database = Database(url)
+    try:
+        _done_by_others(database, "before")
+        server.stop()
+        time.sleep(0.5)
+        server.start()
+        _done_by_others(database, "after")
+        assert worker.poll() is None
+        worker.terminate()
+        assert worker.wait(30) == 0
+    finally:
+        worker.kill()
+        worker.wait()
+        database.close()
+
+
+def _done_by_others(database: Database, subject: str) -> None:
+    """Order a job, and wait until a worker has done it."""
+    made = order([2, 3], subject)
+
+    async def waited() -> None:
+        await database.jobs.start(made)
+        async with asyncio.timeout(60):
+            found = await ended(Bureau(database.jobs, Here(), b"secret", KINDS), made.id)
+        assert (found.state, found.result) == ("done", {"sum": 13})
+
+    asyncio.run(waited())

@@ -35,8 +35,8 @@ from server.jobs.working import Bureau
 from tests.server.jobs.counting import KINDS, Here
 if __name__ == "__main__":
     database = Database(sys.argv[1])
-    app = queue.application(sys.argv[1], Bureau(database.jobs, Here(), b"s", KINDS), 1)
-    asyncio.run(queue.run(app, 1, signals=True))
+    queue.AGAIN = 0.2
+    asyncio.run(queue.run_until_told(sys.argv[1], Bureau(database.jobs, Here(), b"s", KINDS), 1))
 """
 ROOT = Path(__file__).parents[3]
 
@@ -62,7 +62,7 @@ def asked(bureau: Bureau, query: str) -> Any:
 @asynccontextmanager
 async def at_work(url: str, bureau: Bureau) -> AsyncIterator[None]:
     """Let a worker of this process do what comes."""
-    working = asyncio.create_task(queue.run(queue.application(url, bureau, 2), 2, signals=False))
+    working = asyncio.create_task(queue.run(queue.application(url, bureau, 2), 2))
     yield
     working.cancel()
     await asyncio.gather(working, return_exceptions=True)
@@ -192,7 +192,7 @@ def test_a_worker_that_was_cut_off_past_its_lease_writes_nothing(
 def test_a_worker_that_is_stopped_while_it_starts_leaves_nothing_running(url: str, bureau: Bureau) -> None:
     async def stopped(moment: float) -> list[str]:
         before = asyncio.all_tasks()
-        working = asyncio.create_task(queue.run(queue.application(url, bureau, 1), 1, signals=False))
+        working = asyncio.create_task(queue.run(queue.application(url, bureau, 1), 1))
         await asyncio.sleep(moment)
         working.cancel()
         await asyncio.wait([working])
