@@ -1,4 +1,5 @@
-/* Formula lines: Enter adds a line only where there may be several, Ctrl+Enter checks, the field grows with its text. */
+/* Formula lines: Enter adds a line only where there may be several, Ctrl+Enter checks, the field grows with its text.
+   In a section of the report Enter checks that section: without a script it is the first of all that a browser takes. */
 
 type Key = Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "isComposing">;
 
@@ -19,11 +20,20 @@ export function check(form: HTMLFormElement): void {
   form.requestSubmit(form.querySelector<HTMLElement>('[type="submit"].main'));
 }
 
+function checkSection(form: HTMLFormElement, event: KeyboardEvent): void {
+  const { target } = event;
+  if (event.key !== "Enter" || event.defaultPrevented || !(target instanceof HTMLInputElement)) return;
+  const button = target.closest("details")?.querySelector<HTMLElement>('button[name="section"]:enabled');
+  if (!button) return;
+  event.preventDefault();
+  form.requestSubmit(button);
+}
+
 export function growFormulas(form: HTMLFormElement): void {
   form.addEventListener("keydown", (event) => {
     const { target } = event;
     const sense = meaning(event, target instanceof Element && target.matches("textarea.formula:not(.lines)"));
-    if (sense === "default") return;
+    if (sense === "default") return checkSection(form, event);
     event.preventDefault();
     if (sense === "check") check(form);
   });

@@ -118,6 +118,16 @@ def test_a_section_is_opened_filled_and_checked_by_keyboard_on_a_phone(page: Pag
     assert page.inner_text("[data-lab='time-value']") == "2.00\u202fs"
 
 
+def test_enter_in_a_field_checks_its_own_section_and_no_other(page: Page, site: Live) -> None:
+    desk(page, site.url, "tmm2_oop")
+    page.locator("#section-9 summary").first.click()
+    page.fill("[name='answer.alpha3']", "10°")
+    with page.expect_navigation():
+        page.press("[name='answer.alpha3']", "Enter")
+    assert page.url.endswith("&section=9#section-9")
+    assert page.locator("#section-9 .verdict").first.is_visible()
+
+
 def test_a_hint_in_a_section_is_one_line_to_open(page: Page, site: Live) -> None:
     page.set_viewport_size({"width": 360, "height": 740})
     desk(page, site.url, "tmm2_oop")

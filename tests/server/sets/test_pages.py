@@ -331,6 +331,17 @@ def test_an_examination_takes_nothing_that_it_could_not_read_and_says_so(course:
     assert "Your answers are taken" in taken and "not taken yet" not in taken
 
 
+@pytest.mark.parametrize(("rules", "shown"), [({}, True), ({"mode": "exam"}, False)], ids=["practice", "exam"])
+def test_a_section_of_a_report_tells_the_attempt_it_costs_and_an_examination_is_handed_in_whole(
+    course: Course, rules: dict[str, Any], shown: bool
+) -> None:
+    number = course.published(item={"exercise": "tmm2_oop", "attempts": 3}, rules=rules)
+    path = f"/variants/{course.variant(number)}?lang=en"
+    page = course.student.get(path).text
+    assert ("Check section 7 (attempt 1 of 3)" in page) is ('name="section"' in page) is shown
+    assert "(attempt 1 of 3)</button>" in page.rpartition('class="btn main"')[2]
+
+
 def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course: Course) -> None:
     path = f"/variants/{course.variant(course.published(item={'exercise': 'tmm2_oop'}))}"
     assert 'name="section"' in course.student.get(path).text
