@@ -48,7 +48,7 @@ def _angles() -> tuple[Piece, ...]:
         *written(symbol("α1"), A + 52 * unit(CRANK_ANGLE / 2) - 2j),
         thin(B, B + 112),
         *arc(B, 92, 0, turn),
-        *written(symbol("α2"), B + 118 - 12j),
+        *written(symbol("α2"), B + 118 - 3j),
         *arc(A, 86, radians(76), radians(108), "vel"),
         *written(symbol("ω1", "vel"), A + 100 * unit(radians(94)), "middle"),
     )
@@ -64,7 +64,7 @@ def _lengths() -> tuple[Piece, ...]:
         thin(A - 22j, A + BELOW - 6j),
         hidden(C - 34j, end - 6j),
         *thin_arrow(A + BELOW, end),
-        *written(symbol("l3"), (A + BELOW + end) / 2 + 6j, "middle"),
+        *written(symbol("l3"), (A + BELOW + end) / 2 + 8.5j, "middle"),
     )
 
 
