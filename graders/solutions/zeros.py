@@ -10,14 +10,14 @@ from flint import arb
 
 from graders.language.balls import precision
 from graders.language.program import Program
+from graders.solutions.closing import closed_in, lowest, polished
 from graders.solutions.scene import Side, exact
 
 NODES = 65
 DELTA = arb(2) ** -140  # of the range: how far from a zero its sign is tested
 NEAR, FAR = arb(2) ** -88, arb(2) ** -40  # of the range: where another residual is compared with its value at a zero
-TINY, LAST = arb(2) ** -150, arb(2) ** -190
+TINY = arb(2) ** -150
 STEEP = arb(2) ** 20
-UNEVEN = 16.0  # ratio of the values at two ends, beyond which the middle is nearer than where a straight line crosses
 CLOSED, CLOSE = 1e-13, 1e-10  # of the way: how far a change of sign is followed in doubles; where balls go on alone
 ROUGH = 2.0**-32  # of the range: how far from a zero in doubles its sign is tested
 SURE, HALVES = 128, 90  # bits up to which a ball that is finite means continuous; how often a way is halved
@@ -175,7 +175,7 @@ def only(line: Line, enough: Callable[[Zero], bool] = never) -> Zero | None:
     (a, b), (before, after) = line.ends, map(line.double, line.ends)
     if not before * after < 0:
         return None
-    width, start = arb(b) - arb(a), _closed_in(line, (a, b), (before, after), CLOSE)
+    width, start = arb(b) - arb(a), closed_in(line.double, (a, b), (before, after), CLOSE)
     rough = _roughly(line, start)
     if rough is not None and enough(rough):
         return rough
@@ -255,34 +255,10 @@ def _dips(before: float, here: float, after: float) -> bool:
 
 def _between(line: Line, ends: tuple[float, float], values: tuple[float, float]) -> Iterator[Zero]:
     """Close in on a change of sign, then prove it."""
-    start = ends[values.index(0)] if 0 in values else _closed_in(line, ends, values, CLOSED)
+    start = ends[values.index(0)] if 0 in values else closed_in(line.double, ends, values, CLOSED)
     near = proved(line, start) or steep(line, start)
     if near is not None:
         yield near
-
-
-def _closed_in(line: Line, ends: tuple[float, float], values: tuple[float, float], close: float) -> float:
-    """Close in on a change of sign in doubles, until a step is such a share of the way between the ends.
-
-    Source:
-        The Illinois rule: M. Dowell, P. Jarratt, A modified regula falsi method, BIT 11, 1971.
-    """
-    (a, b), (fa, fb) = ends, values
-    last, side = a, 0
-    for _ in range(60):
-        uneven = not 1 / UNEVEN < -fa / fb < UNEVEN
-        x = (a + b) / 2 if uneven else (a * fb - b * fa) / (fb - fa)
-        value = line.double(x)
-        if not value or math.isnan(value) or not a < x < b:
-            break
-        if value * fa > 0:
-            a, fa, fb, side = x, value, fb / 2 if side == 1 and not uneven else fb, 1
-        else:
-            b, fb, fa, side = x, value, fa / 2 if side == -1 and not uneven else fa, -1
-        if abs(x - last) < close * abs(ends[1] - ends[0]):
-            break
-        last = x
-    return x if a <= x <= b else (a + b) / 2
 
 
 def proved(line: Line, start: float | arb) -> Zero | None:
@@ -346,32 +322,12 @@ def secant(line: Line, start: float) -> Zero | None:
     return line.zero(arb(place.mid(), DELTA * (high - low)))
 
 
-def polished(function: Callable[[arb], arb | None], start: arb, width: arb) -> arb | None:
-    """Make secant steps from a place near a zero until they are tiny; None where they do not close in."""
-    one, two = start, start + width * arb(2) ** -50
-    first, second = function(one), function(two)
-    for _ in range(14):
-        if first is None or second is None:
-            return None
-        slope = (second - first).mid()
-        if slope == 0:
-            return two
-        step = (second.mid() * (two - one).mid() / slope).mid()
-        if abs(step) > width:
-            return None
-        one, first, two = two, second, (two - step).mid()
-        if abs(step) < LAST * width:
-            return two
-        second = function(two)
-    return None
-
-
 def touching(line: Line, low: float, high: float) -> Zero | None:
     """Find a zero that a residual touches: where its slope is zero, the value is zero to the last figure."""
     width = arb(line.ends[1]) - arb(line.ends[0])
-    lowest = _lowest(line, low, high)
+    start = lowest(line.double, low, high)
     scale = max(abs(line.double(low)), abs(line.double(high)))
-    if not abs(line.double(lowest)) < 1e-6 * scale:
+    if not abs(line.double(start)) < 1e-6 * scale:
         return None
     step = width * arb(2) ** -70
 
@@ -379,21 +335,8 @@ def touching(line: Line, low: float, high: float) -> Zero | None:
         after, before = line.ball(x + step), line.ball(x - step)
         return None if after is None or before is None else after - before
 
-    place = polished(slope, arb(lowest), width)
+    place = polished(slope, arb(start), width)
     value = line.ball(place) if place is not None else None
     if place is None or value is None or not value.contains(0) or value.abs_upper() > arb(2) ** -120 * scale:
         return None
     return line.zero(arb(place.mid(), NEAR * width)) if line.side.scene.inside(line.at, place) else None
-
-
-def _lowest(line: Line, low: float, high: float) -> float:
-    """Find the place of the least size by golden section."""
-    ratio = (math.sqrt(5) - 1) / 2
-    a, b = low, high
-    for _ in range(40):
-        one, two = b - ratio * (b - a), a + ratio * (b - a)
-        if abs(line.double(one)) < abs(line.double(two)):
-            b = two
-        else:
-            a = one
-    return (a + b) / 2
