@@ -16,7 +16,7 @@ from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, through
+from graders.language.latex_reader import MAX_LATEX, is_latex, through
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse_tokens
 from graders.language.piece import Piece
@@ -66,6 +66,8 @@ class Quantity:
         plain = _plain_amount(text)
         if plain is not None:
             return self._amount(*plain)
+        if len(text) > MAX_LATEX:
+            raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
         refuse_direction(text)
         try:
             amount = self._read(text, symbols)

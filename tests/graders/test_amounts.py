@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from graders import AnswerSyntaxError, Quantity, Symbols
 from graders.language import Reason
 from graders.language.text import text_of
+from tests.graders.effort import calls, effort
 
 NOTHING = Symbols(())
 STRESS = Quantity("MPa")
@@ -211,3 +212,14 @@ def test_latex_that_tells_two_values_is_refused_with_both() -> None:
     with pytest.raises(AnswerSyntaxError) as refused:
         LENGTH.parse(r"l = 0{,}5\,\mathrm{m} = 610\,\mathrm{mm}", NOTHING)
     assert refused.value.reason is Reason.TWO_VALUES
+
+
+@pytest.mark.parametrize("text", ["4\n" * 20_000, "5 " * 20_000, "1~k" * 15_000, "(" * 20_000 + "5"])
+def test_a_text_that_is_too_long_is_refused_before_it_is_looked_through(text: str) -> None:
+    def refused() -> None:
+        with pytest.raises(AnswerSyntaxError, match="too_long"):
+            STRESS.parse(text, NOTHING)
+
+    refused()
+    assert calls(refused) < 100
+    assert effort(refused, enough=1e-3) < 1e-3
