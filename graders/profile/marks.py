@@ -233,7 +233,7 @@ def _met(place: tuple[float, float], drawn: Iterable[tuple[float, float]], seen:
 def _level(x: float, at: float, seen: Comparison) -> bool:
     low, high = sorted((x, at))
     between = [p.true for p in seen.pairs if p.true.start < high and low < p.true.end]
-    ordinates_ = [one.at(place) for one in between for place in (one.start, one.end)]
+    ordinates_ = [one.at(place) for one in between for place in inner_places(one.start, one.end)]
     return bool(ordinates_) and max(ordinates_) - min(ordinates_) <= 2 * seen.tolerance
 
 
@@ -252,7 +252,7 @@ def _near(x: float, others: Iterable[float], seen: Comparison) -> bool:
 def _zeros(seen: Comparison, of: Callable[[Pair], Stretch | None]) -> list[float]:
     """Give the changes of sign by more than the tolerance, over jumps as well."""
     found: list[float] = []
-    sign, since = 0, 0.0
+    sign, since, crossed = 0, 0.0, list[float]()
     for pair in seen.pairs:
         one = of(pair)
         if one is None:
@@ -261,12 +261,12 @@ def _zeros(seen: Comparison, of: Callable[[Pair], Stretch | None]) -> list[float
         for x in sorted([*inner_places(one.start, one.end), *inner]):
             height = one.at(x)
             if abs(height) <= seen.tolerance:
-                since = x if x in inner else since
+                crossed += [x] if x in inner else []
                 continue
             if sign and (height > 0) != (sign > 0):
-                passed = [zero for zero in inner if zero <= x]
-                found.append(passed[-1] if passed else max(since, one.start))
-            sign, since = (1 if height > 0 else -1), x
+                crossed += [zero for zero in inner if since < zero <= x]
+                found.append(crossed[-1] if crossed else max(since, one.start))
+            sign, since, crossed = (1 if height > 0 else -1), x, []
     return found
 
 
