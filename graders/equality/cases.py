@@ -11,7 +11,7 @@ than a search.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -112,6 +112,7 @@ class Cases:
             if chooses or slot in self.loose or not self.chosen.isdisjoint(arguments):
                 self.chosen.add(slot)
         self.operations.sort(key=lambda one: (one[0] in self.loose) + (one[0] in self.chosen))
+        self.plain = {slot: BALLS.function(name) for slot, (name, _) in self.operations if slot not in self.special}
         self.heads = {arguments[0] for name, arguments in program.operations if name in CHOOSING}
 
     def agree(self, runner: Runner) -> bool:
@@ -130,13 +131,13 @@ class Cases:
 
     def _agree(self, start: int, case: Case) -> bool:
         """Go on with a case from an operation on, parted where a sign is open."""
-        slots, special, functions = case.slots, self.special, BALLS.function
+        slots, plain = case.slots, self.plain
         for at in range(start, len(self.operations)):
             slot, (name, arguments) = self.operations[at]
             self._spend()
             columns = [slots[argument] for argument in arguments]
-            if slot not in special:
-                slots[slot] = self._applied(functions(name), columns)
+            if slot in plain:
+                slots[slot] = list(map(plain[slot], *columns)) if columns else [plain[slot]()] * len(self.points)
                 continue
             chosen = self._choice(name, slot, arguments, case) if self.parted else None
             if chosen is not None:
@@ -150,18 +151,14 @@ class Cases:
         return self._equal(case)
 
     def _value(self, name: str, slot: int, arguments: Sequence[int], columns: Sequence[Column], case: Case) -> Column:
-        """Give the values of a function that chooses nothing."""
-        if slot in self.special:
-            edge = at_edge(name, columns[0]) if slot in self.turning else None
-            if edge is not None:
-                case.squares.append(slot)
-                return [edge] * len(self.points)
-            if self._is_drawn(name, slot):
-                return self._drawn(name, slot, arguments, case)
-        return self._applied(BALLS.function(name), columns)
-
-    def _applied(self, function: Callable[..., Any], columns: Sequence[Column]) -> Column:
-        return list(map(function, *columns)) if columns else [function()] * len(self.points)
+        """Give the values of a function that chooses nothing now."""
+        edge = at_edge(name, columns[0]) if slot in self.turning else None
+        if edge is not None:
+            case.squares.append(slot)
+            return [edge] * len(self.points)
+        if self._is_drawn(name, slot):
+            return self._drawn(name, slot, arguments, case)
+        return list(map(BALLS.function(name), *columns))
 
     def _spend(self) -> None:
         self.left -= 1

@@ -43,10 +43,11 @@ class Balls:
         fine: Bits by which a difference may be less than 30 digits of the larger and still counts (`fineness`).
     """
 
-    __slots__ = ("fine", "known", "lines", "mutual", "program", "runners")
+    __slots__ = ("fine", "known", "lines", "mutual", "program", "runners", "share")
 
     def __init__(self, program: Program, mutual: bool, lines: Sequence[int] = (), fine: int = 0) -> None:
         self.program, self.mutual, self.lines, self.fine = program, mutual, tuple(lines), fine
+        self.share = share_of(fine)
         self.runners: dict[int, Runner] = {}
         self.known: dict[Point, Finding] = {}
 
@@ -62,7 +63,7 @@ class Balls:
         return found
 
     def _at(self, point: Point) -> Finding:
-        radius, share = math.inf, share_of(self.fine)
+        radius, share = math.inf, self.share
         for bits in PRECISIONS:
             ctx.prec = bits + self.fine
             try:

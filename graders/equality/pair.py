@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
-from typing import NamedTuple
+from operator import itemgetter
+from typing import TypeAlias
 
 from graders.equality.alike import alike
 from graders.equality.cases import Cases
@@ -51,12 +52,7 @@ class Comparison:
 EQUAL = Comparison(Finding.EQUAL)
 
 
-class Place(NamedTuple):
-    """A point for the balls: the signs of all turns there, and whether it is asked about even if these were seen."""
-
-    point: Point
-    pattern: object
-    asked: bool
+Place: TypeAlias = tuple[Point, object, bool]  # a point, the signs of all turns there, whether it is asked about anyway
 
 
 def few(points: Sequence[Point]) -> Iterator[Point]:
@@ -203,19 +199,19 @@ class Pair:
             return found or self._smooth()
         places = list[Place]()
         for stage in self._stages():
-            met = {place.pattern for place in places}
-            new = {place.pattern: place.point for place in reversed(stage) if place.pattern not in met}
-            worst = [place.point for place in stage[:WORST] if place.asked]
+            met = {pattern for _, pattern, _ in places}
+            new = {pattern: point for point, pattern, _ in reversed(stage) if pattern not in met}
+            worst = [point for point, _, asked in stage[:WORST] if asked]
             early = self._first([*worst, *islice(new.values(), NEW)])
             if early is not None:
                 return early
             places += stage
-        places.sort(key=lambda place: not place.asked)
+        places.sort(key=lambda place: not place[2])
         return self._settled(places)
 
     def _seen_apart(self) -> list[Point]:
         """Give one of a few points at which doubles see a difference, if there is one."""
-        rows = zip(self.glance, self.points[:GLANCE], strict=True)
+        rows = zip(self.glance, self.points, strict=False)
         return next(([point] for row, point in rows if SEEN < _far(row) < BLIND), [])
 
     def _in_every_case(self) -> Comparison | None:
@@ -250,8 +246,9 @@ class Pair:
         if not self.states.box or not self.turned.steep:
             return None
         rows = zip(looks(Runner(self.program, DOUBLES), self.points), self.points, strict=True)
-        worst = [place.point for place in self._places(rows, None)[:WORST] if place.asked]
-        return self._first([*worst, *summits(self.program, self.turned.steep, self.states.box, self.points)])
+        worst = [point for point, _, asked in self._places(rows, None)[:WORST] if asked]
+        steep_slots, box = self.turned.steep, self.states.box
+        return self._first(worst) or self._first(summits(self.program, steep_slots, box, self.points))
 
     def _smooth(self) -> Comparison:
         """Ask the balls at a few points: an analytic difference that is zero there is zero."""
@@ -277,11 +274,12 @@ class Pair:
 
     def _places(self, looked: Iterable[tuple[Row, Point]], touched: int | None) -> list[Place]:
         """Order points by how far doubles see the two apart, with the signs of what turns there."""
-        ordered = sorted(((_far(row), row, point) for row, point in looked), key=lambda one: -one[0])
+        far = [(_far(row), row, point) for row, point in looked]
+        far.sort(key=itemgetter(0), reverse=True)
         every = touched is not None or not self.states.box
         return [
-            Place(point, touched if touched is not None else tuple([x > 0 for x in row[2:]]), every or far > SEEN)
-            for far, row, point in ordered
+            (point, touched if touched is not None else tuple([x > 0 for x in row[2:]]), every or apart > SEEN)
+            for apart, row, point in far
         ]
 
     def _stages(self) -> Iterator[list[Place]]:
@@ -297,7 +295,8 @@ class Pair:
         groups = together(self.builder, turned.where, turned.turns, self.program.outputs)
         if self._all_met(groups):
             return
-        search = Search(turned.program, self.states.box, self.points, self.rows, self.mutual, self.lines, turned.slots)
+        box, slots = self.states.box, turned.slots
+        search = Search(turned.program, doubles, box, self.points, self.rows, self.mutual, self.lines, slots)
         found = list(search.beside(turned.turns))
         crossed = [point for point, touched in found if not touched]
         rows = looks(doubles, crossed)

@@ -14,7 +14,6 @@ from graders.equality.rising import Trend, trends
 from graders.equality.sides import Box, Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn, may_be_steep
 from graders.judge import Domain
-from graders.language.doubles import DOUBLES
 from graders.language.intervals import INTERVALS, Interval, side_of_zero
 from graders.language.program import Program, Runner
 from graders.states import Point
@@ -88,6 +87,7 @@ class Search:
 
     Attributes:
         program: Its first two outputs are the reference and the answer.
+        doubles: The same ready to run in doubles.
         box: The domains of its inputs.
         points: Points of the box that were looked at.
         rows: Their outputs, and behind them the values of the turns.
@@ -99,6 +99,7 @@ class Search:
     """
 
     program: Program
+    doubles: Runner
     box: tuple[Domain, ...]
     points: Sequence[Point]
     rows: Sequence[Row]
@@ -176,9 +177,7 @@ class Search:
         return [(row[2 + number], point) for row, point in self.states if math.isfinite(row[2 + number])]
 
     def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
-        alone = self.program.only(*slots)
-        doubles, intervals = Runner(alone, DOUBLES), list[Runner]()
-
+        doubles, intervals = self.doubles.only(*slots), list[Runner]()
         run, output = doubles.slots, doubles.outputs[0]
 
         def value(point: Point) -> float:
@@ -192,14 +191,14 @@ class Search:
 
         def bounds(box: Box) -> Interval:
             if not intervals:  # most zeros are found without
-                intervals.append(Runner(alone, INTERVALS))
+                intervals.append(Runner(self.program, INTERVALS).only(*slots))
             return way(intervals[0].run(box))
 
         state = self._state() if guarded else every
-        size, work = 1 + len(alone.operations), WORK if deep else LESS_WORK
+        size, work, moving = 1 + len(doubles.code), WORK if deep else LESS_WORK, doubles.moving
         return Part(
-            value if way is itself else values, state, bounds, self.box, ends(self.box), alone.moving, self.integers,
-            size, work, deep, partial(self._trends, slots[0], alone.moving) if way is itself else tuple,
+            value if way is itself else values, state, bounds, self.box, ends(self.box), moving, self.integers,
+            size, work, deep, partial(self._trends, slots[0], moving) if way is itself else tuple,
         )  # fmt: skip
 
     def _trends(self, slot: int, moving: Sequence[int]) -> tuple[int, ...]:
@@ -216,7 +215,7 @@ class Search:
 
     def _state(self) -> Callable[[Point], bool]:
         """Make a test that tells in doubles whether a point is a state."""
-        guard = Runner(self.program.only(*self.program.outputs[: 1 + self.mutual], *self.lines), DOUBLES)
+        guard = self.doubles.only(*self.program.outputs[: 1 + self.mutual], *self.lines)
         enough = any if self.mutual else all
         return lambda point: enough(map(math.isfinite, look(guard, point)))
 

@@ -17,7 +17,7 @@ WIDE, FINE, FINEST = 0.25, 4e-6, 2e-14  # steps of a descent, as shares of a dom
 STARTS, DEEP = 4, 8000  # descents to the finest steps where nothing was proved, and their operations
 STILL = 5  # halvings without a lower value, behind which there is none near...
 CLEAR = 0.01  # ...where this share of the greatest value is left
-BISECTIONS = 34
+NARROWEST = 5e-11  # of the way between two points, around a border
 ASIDE = (1e-3, 1e-6, 1e-10)  # distances from a border, as shares of the way between two points
 END = 1e-12  # distance from the end of a domain, as a share of its width
 TOUCHING = 1e-7  # of the usual size of an argument
@@ -218,20 +218,23 @@ class Part:
         return tuple([self._between(one, other, share) for share in shares])
 
     def _border(self, one: Point, other: Point) -> tuple[float, float]:
-        """Enclose the border between two points: where a straight line would cross, if that is it, else by halving."""
-        start, end = self.value(one), self.value(other)
-        first, crossing = start > 0, start / (start - end)
-        low, high = max(0.0, crossing - ASIDE[-1] / 4), min(1.0, crossing + ASIDE[-1] / 4)
-        signs = [(self.value(self._between(one, other, share)) > 0) is first for share in (low, high)]
-        if signs == [True, False]:
-            return low, high
-        low, high = 0.0, 1.0
-        for _ in range(BISECTIONS):
-            middle = (low + high) / 2
-            if (self.value(self._between(one, other, middle)) > 0) is first:
-                low = middle
-            else:
-                high = middle
+        """Enclose the border between two points: around where a straight line would cross, else by halving."""
+        low, high, start, end = 0.0, 1.0, self.value(one), self.value(other)
+        first, around = start > 0, 0.4 * NARROWEST
+        while high - low > NARROWEST:
+            width, crossing = high - low, low + (high - low) * (start / (start - end))
+            for place in (crossing - around, crossing + around, None):
+                if place is None and high - low < width / 4:
+                    break
+                share = (low + high) / 2 if place is None else place
+                if not low < share < high:
+                    continue
+                value = self.value(self._between(one, other, share))
+                if (value > 0) is first:
+                    low, start = share, value
+                else:
+                    high, end = share, value
+            around = max(0.4 * NARROWEST, (high - low) ** 2)
         return low, high
 
     def _between(self, one: Point, other: Point, share: float) -> Point:

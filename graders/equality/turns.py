@@ -154,7 +154,8 @@ def needed(program: Builder | Program, outputs: Sequence[int]) -> set[int]:
 def arcs(builder: Builder, where: Places) -> set[int]:
     """Give the slots `1 - u^2` of arcsines and arccosines."""
     start = len(builder.inputs)
-    return {several[0][0] for at, several in where.items() if builder.operations[at - start][0] in ("asin", "acos")}
+    found = {several[0] for at, several in where.items() if builder.operations[at - start][0] in ("asin", "acos")}
+    return {slot for slot, edge in found if edge}
 
 
 def _places(builder: Builder, operation: Operation, wraps: bool) -> tuple[Place, ...]:
@@ -170,6 +171,9 @@ def _places(builder: Builder, operation: Operation, wraps: bool) -> tuple[Place,
     if name == "atan2":
         return (arguments[0], False), (arguments[1], False)
     if name in ("asin", "acos"):
+        function, angle = _operation(builder, arguments[0])
+        if function in ("sin", "cos"):  # acos(cos(x)) turns where cos(x) does
+            return ((builder.apply("cos" if function == "sin" else "sin", *angle), False),)
         return ((builder.apply("-", builder.add(ONE), builder.apply("power2", *arguments)), True),)
     if wraps and name == "/":
         return ((arguments[1], False),)
@@ -183,9 +187,7 @@ def _edges(builder: Builder, slot: int) -> tuple[Place, ...]:
 
     In a product with one other factor it ends where this is negative.
     """
-    if slot < len(builder.inputs):
-        return ((slot, True),)
-    name, arguments = builder.operations[slot - len(builder.inputs)]
+    name, arguments = _operation(builder, slot)
     if name == "abs" or _is_even(name) or (name == "*" and arguments[0] == arguments[1]):
         return ((arguments[0], False),)
     if name == "*" or name == "/":
@@ -198,6 +200,12 @@ def _edges(builder: Builder, slot: int) -> tuple[Place, ...]:
 @lru_cache(maxsize=2048)
 def _is_even(name: str) -> bool:
     return name[:5] == "power" and name != "power0" and int(name[5:]) % 2 == 0
+
+
+def _operation(builder: Builder, slot: int) -> Operation:
+    """Give what makes a slot; nothing makes a symbol or a literal."""
+    start = len(builder.inputs)
+    return builder.operations[slot - start] if slot >= start else ("", ())
 
 
 def _positive(builder: Builder, slot: int) -> bool:

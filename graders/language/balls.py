@@ -158,7 +158,7 @@ BALLS = Arithmetic(
     {
         "+": operator.add, "-": operator.sub, "*": operator.mul, "/": _divide, "^": _power,
         "negate": operator.neg, "degrees": lambda x: x * arb.pi() / 180, "pi": arb.pi,
-        "integer_power": _whole_power,
+        "integer_power": _whole_power, "power2": lambda x: x * x,
         "sin": arb.sin, "cos": arb.cos, "tan": arb.tan, "cot": arb.cot,
         "asin": _asin, "acos": _acos, "atan": arb.atan,
         "acot": lambda x: arb.pi() / 2 - x.atan(), "atan2": _arc,

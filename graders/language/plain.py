@@ -104,13 +104,19 @@ class _Reader:
             tree = Binary(operator, tree, self.product())
 
     def product(self) -> Tree:
-        tree = self.factor()
+        tree: Tree | None = None
+        nodes, pieces, operator = self.nodes, self.pieces, ""
         while True:
+            factor: Tree | None = nodes.get(self.piece)
+            if factor is None or pieces[-1] == "^":
+                factor = self.factor()
+            else:  # most factors are symbols
+                self.piece = pieces.pop()
+            tree = Binary(operator, tree, factor) if tree else factor
             operator = self.piece
             if operator != "*" and operator != "/":
                 return tree
-            self.piece = self.pieces.pop()
-            tree = Binary(operator, tree, self.factor())
+            self.piece = pieces.pop()
 
     def factor(self) -> Tree:
         piece = self.piece

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Tree, Unary
@@ -73,6 +74,13 @@ class Arithmetic:
         return lambda table: _entry(table, row, column)
 
 
+@lru_cache(maxsize=2048)
+def _power(digits: str, exponent: int) -> str:
+    """Name the operation of a power that is written as a whole number; empty where it is not, or too great."""
+    number = Number(digits, exponent)
+    return f"power{int(digits)}" if number.whole and int(digits) <= MOST_POWER else ""
+
+
 class Builder:
     """Collects operations; a name defined by `define` is replaced by the slot of its tree."""
 
@@ -102,8 +110,8 @@ class Builder:
             return slot if slot is not None else self._named(tree.name)
         if isinstance(tree, Binary):
             operator, right = tree.operator, tree.right
-            if operator == "^" and isinstance(right, Number) and right.whole and int(right.digits) <= MOST_POWER:
-                return self._slot((f"power{int(right.digits)}", (self.add(tree.left),)))
+            if operator == "^" and isinstance(right, Number) and (power := _power(right.digits, right.exponent)):
+                return self._slot((power, (self.add(tree.left),)))
             return self._slot((operator, (self.add(tree.left), self.add(right))))
         if isinstance(tree, Number):
             return self.literals.setdefault(tree, -1 - len(self.literals))
@@ -167,9 +175,11 @@ Code: TypeAlias = list[tuple[Callable[..., Any], int, int, Any, int]]
 
 
 class Runner:
-    """A program made ready for one arithmetic."""
+    """A program made ready for one arithmetic; of a part, `moving` are the numbers of the inputs that it stands on."""
 
-    __slots__ = ("code", "inputs", "outputs", "tail")
+    __slots__ = ("code", "inputs", "moving", "outputs", "tail")
+
+    moving: tuple[int, ...]
 
     def __init__(self, program: Program, arithmetic: Arithmetic) -> None:
         self.inputs, self.outputs = program.inputs, program.outputs
@@ -184,6 +194,19 @@ class Runner:
                 function = known.get("square", function)
             self.code.append((function, slot, count, first, second))
         self.tail = [None] * len(self.code) + [arithmetic.literal(number) for number in reversed(program.literals)]
+
+    def only(self, *outputs: int) -> Runner:
+        """Give the part that some slots need, with these as its outputs; its slots are the same ones."""
+        found, needed = Runner.__new__(Runner), set(outputs)
+        found.inputs, found.tail, found.outputs, found.code = self.inputs, self.tail, outputs, []
+        for step in reversed(self.code):
+            _, slot, count, first, second = step
+            if slot in needed:
+                needed.update((first, second) if count == 2 else (first,) if count == 1 else first)
+                found.code.append(step)
+        found.code.reverse()
+        found.moving = tuple([at for at in range(len(self.inputs)) if at in needed])
+        return found
 
     def run(self, values: Sequence[Any]) -> list[Any]:
         """Compute the outputs for the values of the inputs, in their order."""

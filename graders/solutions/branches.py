@@ -61,7 +61,7 @@ def branch_starts(scene: Scene, sides: tuple[Sequence[Tree], Sequence[Tree]], ef
     effort.spend(COST * len(found) * (len(program.operations) // 2 + 2))
     turning = Turning(scene, program, Runner(program, DOUBLES))
     rows = looks(turning.runner, scene.points)
-    search = Search(program, box, scene.points, rows, True, tuple(lines), slots)
+    search = Search(program, turning.runner, box, scene.points, rows, True, tuple(lines), slots)
     beside = list(search.beside(found))
     groups = together(builder, where, found, outputs)
     if groups:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Callable, Mapping
 
 import pytest
 
 from graders.equality import Finding, between
-from graders.equality.sides import Part
+from graders.equality.sides import Part, ends
 from graders.judge import Domain
 from graders.language import Symbols, parse
 
@@ -47,3 +48,29 @@ def test_an_argument_without_a_turn_is_not_searched(monkeypatch: pytest.MonkeyPa
 def test_the_corner_of_what_has_another_side_there_is_found() -> None:
     box = {"x": Domain(0.4, 1.0), "y": Domain(0.4, 1.0)}
     assert compared("abs(1/x + 1/y - x*y - 1.01)", "1/x + 1/y - x*y - 1.01", box) is Finding.DIFFERENT
+
+
+@pytest.mark.parametrize(
+    ("value", "most"),
+    [
+        (lambda x: x - 0.7123, 4),
+        (lambda x: x**3 - 0.2, 20),
+        (lambda x: math.exp(9 * x) - 2, 24),
+        (lambda x: 0.31 - x * x, 20),
+        (lambda x: 1e-9 - (1 - x) ** 9, 75),
+        (lambda x: math.copysign(1.0, x - 0.123), 75),
+        (lambda x: 1 / (x - 0.3), 75),
+    ],
+)
+def test_a_border_is_enclosed_by_a_few_values(value: Callable[[float], float], most: int) -> None:
+    asked = list[float]()
+
+    def listened(point: tuple[float, ...]) -> float:
+        asked.append(point[0])
+        return value(point[0])
+
+    domains = (Domain(0.0, 1.0),)
+    part = Part(listened, lambda _: True, lambda box: box[0], domains, ends(domains), (0,), (), 1, 1, False, tuple)
+    low, high = part._border((0.0,), (1.0,))
+    assert 0 < high - low <= 1e-10 and (value(low) > 0) is not (value(high) > 0)
+    assert len(asked) <= most

@@ -25,7 +25,17 @@ def found(a: str, b: str) -> set[Finding]:
 
 @pytest.mark.parametrize(
     "text",
-    ["sqrt(z^2)", "sqrt(4*z^2*r)", "ln(abs(z))", "(z^2)^(3/2)", "root(z; 3)", "root(z*z; 4)", "log(x*z^2/c^4)"],
+    [
+        "sqrt(z^2)",
+        "sqrt(4*z^2*r)",
+        "ln(abs(z))",
+        "(z^2)^(3/2)",
+        "root(z; 3)",
+        "root(z*z; 4)",
+        "log(x*z^2/c^4)",
+        "acos(cos(c))",
+        "asin(sin(2*c))",
+    ],
 )
 def test_a_root_of_an_even_power_turns_where_its_base_changes_sign(text: str) -> None:
     turns = pair(text, "r").turns
@@ -97,6 +107,9 @@ def test_what_turns_on_both_sides_needs_no_cases(a: str, b: str, monkeypatch: py
         ("acos((r^2 + 1 - x^2)/(2*r))", "acos((r^2 + 1 - x^2)/(2*r)) + 1e-9*<x - 0.9999>^1"),
         ("acos(z/sqrt(z^2 + x^2))", "asin(x/sqrt(z^2 + x^2))"),
         ("acos(abs(z))*r", "acos(z)*r"),
+        ("acos(cos(r*z))", "r*z"),
+        ("asin(sin(r*x))", "r*x"),
+        ("asin(cos(c))", "pi/2 - c"),
         ("r*<c - x>^2*<z - y>^1", "r*<c - x>^2*<z - y>^1*<c - x>^0 + 1e-7*<z - y>^1*<0.001 - y>^1"),
         ("r + sqrt(c) - sqrt(c)", "r + sqrt(z) - sqrt(z)"),
         ("abs(c)*abs(z)", "abs(c)*abs(z)*sqrt(c)/sqrt(c)"),
