@@ -13,6 +13,7 @@ from contextlib import asynccontextmanager, suppress
 from procrastinate import App, PsycopgConnector, RetryStrategy
 from procrastinate.exceptions import ConnectorException
 from procrastinate.jobs import Job, Status
+from psycopg import OperationalError
 
 from server.database.queue import QUEUE, TASK
 from server.jobs.working import Bureau, work
@@ -89,7 +90,7 @@ async def run_on(url: str, bureau: Bureau, most: int) -> None:
         try:
             await run(application(url, bureau, most), most)
             log.warning("the queue was left without being told to, and is begun again")
-        except ConnectorException as error:
+        except (ConnectorException, OperationalError) as error:  # the second where connections cannot be opened
             log.warning("the queue waits for the database: %s", error)
         await asyncio.sleep(AGAIN)
 

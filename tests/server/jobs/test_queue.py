@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from psycopg_pool import PoolTimeout
 from sqlalchemy import text
 
 from server.database import Database
@@ -199,3 +200,40 @@ def test_a_worker_that_is_stopped_while_it_starts_leaves_nothing_running(url: st
         return [one.get_name() for one in asyncio.all_tasks() - before]
 
     assert [asyncio.run(stopped(0.002 * step)) for step in range(12)] == [[]] * 12
+
+
+class Away:
+    """The side of a worker whose database is away at first, so long that no connection could be opened."""
+
+    def __init__(self) -> None:
+        self.opened, self.works = 0, asyncio.Event()
+
+    async def open_async(self) -> None:
+        self.opened += 1
+        if self.opened == 1:
+            raise PoolTimeout("pool initialization incomplete after 30.0 sec")
+
+    async def close_async(self) -> None:
+        pass
+
+    async def run_worker_async(self, **rules: Any) -> None:
+        self.works.set()
+        await asyncio.Event().wait()
+
+
+def test_an_outage_in_which_no_connection_can_be_opened_does_not_end_the_work(
+    bureau: Bureau, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(queue, "AGAIN", 0)
+
+    async def worked() -> int:
+        away = Away()
+        monkeypatch.setattr(queue, "application", lambda *tools: away)
+        working = asyncio.create_task(queue.run_on("postgresql://", bureau, 1))
+        async with asyncio.timeout(10):
+            await away.works.wait()
+        working.cancel()
+        await asyncio.gather(working, return_exceptions=True)
+        return away.opened
+
+    assert asyncio.run(worked()) == 2
