@@ -6,14 +6,15 @@ student's own graded answers stand in the sections. No reference value ever does
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from exercises import catalogue, solving
 from exercises.exercise import Variant
 from exercises.grading import preview
 from exercises.presenting import Presented, presented
-from graders import Verdict
+from graders import AnswerSyntaxError, Verdict
+from graders.language import Tree
 from graders.language.mathml import mathml_of, symbol_mathml
 from graders.polygon.drawn import Drawn
 from graders.words import printed_unit
@@ -82,7 +83,8 @@ def tmm2(variant: Variant, language: str, person: Person, code: str, handed: Han
     if not exercise.report:
         raise NoReport(variant.exercise)
     said, shown = words(language)["tmm2"], presented(variant, language)
-    sheet = _Sheet(variant, language, person, handed, shown, said)
+    drawn = typed_polygon(variant, handed.answers.get("polygon", "")) if handed else None
+    sheet = _Sheet(variant, language, person, handed, drawn, shown, said)
     head = ((said["manipulator"], shown.title), (said["variant"], code), (said["version"], str(variant.version)))
     blocks: list[Block] = [Paragraph((said["topic"],)), Facts(head)]
     for number, heading in said["sections"].items():
@@ -99,6 +101,7 @@ class _Sheet:
     language: str
     person: Person
     handed: HandedIn | None
+    drawn: Drawn | None  # the student's polygon, if one was typed that can be read
     shown: Presented
     said: Words
 
@@ -114,8 +117,10 @@ class _Sheet:
                 yield from self._drawings()
             case 6:
                 yield from self._data()
-            case 7 | 8 if self._polygon() is not None:
-                yield from self._equations(number)
+            case 7 if self.drawn is not None:
+                yield from self._equations([closure.tree for closure in self.drawn.closures])
+            case 8 if self.drawn is not None:
+                yield from self._equations([projection.tree for projection in self.drawn.equations])
             case _ if self.handed is not None and answers:
                 for name in answers:
                     yield from self._answer(name, self.said["sections"][str(number)])
@@ -126,9 +131,8 @@ class _Sheet:
 
     def _drawings(self) -> Iterator[Block]:
         scheme = Drawing(self.shown.picture.svg, self.shown.title, 0.42) if self.shown.picture else None
-        drawn = self._polygon()
-        own = drawn and catalogue.load(self.variant.exercise).polygon(
-            self.variant.givens, self.said["sections"]["5"], [(v.label, v.start, v.end) for v in drawn.vectors]
+        own = self.drawn and catalogue.load(self.variant.exercise).polygon(
+            self.variant.givens, self.said["sections"]["5"], [(v.label, v.start, v.end) for v in self.drawn.vectors]
         )
         polygon = Drawing(own.svg, self.said["sections"]["5"], 0.5) if own else None
         if scheme is not None and polygon is not None:
@@ -146,24 +150,15 @@ class _Sheet:
         yield Table((), tuple(tuple(row) + (("",),) * (4 - len(row)) for row in rows))
         yield Paragraph((self.said["conventions"],), quiet=True)
 
-    def _polygon(self) -> Drawn | None:
-        return read_polygon(self.variant, self.handed.answers.get("polygon", "")) if self.handed else None
-
-    def _equations(self, number: int) -> Iterator[Block]:
-        """Section 7: the closure; section 8: both projections."""
-        drawn = self._polygon()
-        assert drawn is not None
-        comma = self.language != "en"
-        trees = [c.tree for c in drawn.closures] if number == 7 else [e.tree for e in drawn.equations]
+    def _equations(self, trees: Sequence[Tree]) -> Iterator[Block]:
+        """Equations of the polygon, one a line, with the outcome behind the last."""
         for at, tree in enumerate(trees, 1):
-            yield Paragraph(
-                (Formula(mathml_of(tree, comma)),), aside=self._outcome("polygon") if at == len(trees) else ""
-            )
+            formula = Formula(mathml_of(tree, self.language != "en"))
+            yield Paragraph((formula,), aside=self._outcome("polygon") if at == len(trees) else "")
 
     def _plots(self) -> Iterator[Block]:
         """What is plotted of the last node, as it follows from the student's own projections."""
-        drawn = self._polygon()
-        for name, moved in (own_motion(self.variant, drawn) if drawn else {}).items():
+        for name, moved in (own_motion(self.variant, self.drawn) if self.drawn else {}).items():
             before, after = self.said["plots"].split("{name}")
             title = f"{before}{name}{after}"
             yield Drawing(plots(name, moved, self.variant, title, self.language).svg, title, 0.72)
@@ -200,12 +195,15 @@ class _Sheet:
         yield Paragraph((self.said["own"],), quiet=True)
 
 
-def read_polygon(variant: Variant, text: str) -> Drawn | None:
+def typed_polygon(variant: Variant, text: str) -> Drawn | None:
     """Read a student's polygon, if one was typed that can be read."""
     solved = solving.solved(variant)
-    if not text.strip() or isinstance(preview(variant, "polygon", text), Verdict):
+    if not text.strip():
         return None
-    drawn = solved.answers["polygon"].parse(text, solved.symbols("polygon"))
+    try:
+        drawn = solved.answers["polygon"].parse(text, solved.symbols("polygon"))
+    except AnswerSyntaxError:
+        return None
     return drawn if isinstance(drawn, Drawn) else None
 
 

@@ -17,7 +17,7 @@ from figures.picture import Picture
 from graders.language.mathml import symbol_mathml
 from graders.units import read_unit
 from graders.words import decimal, printed_unit
-from reports.tmm2 import read_polygon
+from reports.tmm2 import typed_polygon
 from reports.words import words
 from server.answering.workspace import Line
 from server.web.language import part, say
@@ -146,7 +146,7 @@ def _printed(value: float, unit: str, language: str) -> str:
 
 def own_polygon(variant: Variant, typed: str, title: str) -> Picture | None:
     """Draw the polygon that was typed, where it can be read and the exercise knows how to draw it."""
-    drawn = read_polygon(variant, typed)
+    drawn = typed_polygon(variant, typed)
     if drawn is None:
         return None
     vectors = [(vector.label, vector.start, vector.end) for vector in drawn.vectors]

@@ -11,14 +11,14 @@ from figures import plot
 from figures.picture import Table, Words
 from graders.polygon.drawn import Drawn
 from reports.motion import POINTS, own_motion
-from reports.tmm2 import read_polygon
+from reports.tmm2 import typed_polygon
 
 LABORATORIES = [name for name in catalogue.ids() if catalogue.load(name).exercise.report]
 
 
 def polygon(exercise: str, old: str = "", new: str = "") -> Drawn:
     task = deal(exercise, 7)
-    drawn = read_polygon(task, reference(task)["polygon"].replace(old, new))
+    drawn = typed_polygon(task, reference(task)["polygon"].replace(old, new))
     assert drawn is not None
     return drawn
 
