@@ -15,6 +15,7 @@ from pydantic import BaseModel, Field, StrictBool
 from server import audit
 from server.bench import Bench, Tools
 from server.courses import rosters
+from server.courses.headings import Meaning
 from server.people import identity
 from server.people.api import REFUSED, Strict, themselves
 from server.policy import CourseRole, may_change_role
@@ -115,9 +116,20 @@ class Unread(BaseModel):
     code: str
 
 
-class Planned(BaseModel):
-    """What a roster changes, line by line."""
+class RosterColumn(BaseModel):
+    """What a column holds, by its heading: `login`, `name`, `group`, or `unused`. A name may stand in several."""
 
+    number: int
+    heading: str
+    meaning: Meaning
+
+
+class Planned(BaseModel):
+    """What a roster changes, line by line, and how its columns are understood; lines `above` the headings are left
+    out."""
+
+    columns: list[RosterColumn]
+    above: list[int]
     changes: list[RosterLine]
     unread: list[Unread]
     applied: bool
@@ -189,11 +201,13 @@ async def take_out(course: str, person: str, bench: Tools, reader: Asking) -> No
 @router.post("/courses/{course}/roster", responses=HERE)
 async def import_roster(course: str, body: Roster, bench: Tools, reader: Asking) -> Planned:
     """Show what a roster would change, or change it. Everybody it names is a student; nobody is taken out."""
-    changes, unread = await take_roster(bench, reader, body.csv, body.apply)
+    changes, read = await take_roster(bench, reader, body.csv, body.apply)
     lines = [
         RosterLine(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what, known=c.known) for c in changes
     ]
-    return Planned(changes=lines, unread=[Unread(line=u.line, code=u.code) for u in unread], applied=body.apply)
+    columns = [RosterColumn(number=one.number, heading=one.heading, meaning=one.meaning) for one in read.columns]
+    unread = [Unread(line=line.line, code=line.code) for line in read.unread]
+    return Planned(columns=columns, above=list(read.above), changes=lines, unread=unread, applied=body.apply)
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,21 +301,19 @@ async def remove(bench: Bench, reader: Reader, member: Member) -> None:
     await bench.courses.leave(here(reader).course.id, member.person.id, entry)
 
 
-async def take_roster(
-    bench: Bench, reader: Reader, text: str, apply: bool
-) -> tuple[Sequence[Change], Sequence[rosters.Unread]]:
+async def take_roster(bench: Bench, reader: Reader, text: str, apply: bool) -> tuple[Sequence[Change], rosters.Reading]:
     """Show what a roster changes, or change it; a roster with lines that cannot be used changes nothing.
 
     Raises:
         Refused: 422, it is to be applied and some line cannot be used, or it is empty or too long.
     """
-    rows, unread = rosters.read(text)
-    if not rows and not unread:
+    read = rosters.read(text)
+    if not read.rows and not read.unread:
         raise Refused(422, "empty_roster", field="csv")
-    if apply and unread:
-        raise Refused(422, "unread_roster", field="csv", line=unread[0].line)
+    if apply and read.unread:
+        raise Refused(422, "unread_roster", field="csv", line=read.unread[0].line)
     course, now = here(reader).course.id, datetime.now(UTC)
-    return await bench.courses.roster(course, rows, now, apply, audit.actor_of(reader)), unread
+    return await bench.courses.roster(course, read.rows, now, apply, audit.actor_of(reader)), read
 
 
 def _actor(reader: Reader) -> str | None:

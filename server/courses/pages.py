@@ -13,6 +13,7 @@ from server.answering import forms
 from server.bench import Bench, Tools
 from server.courses import api as courses
 from server.courses import rosters
+from server.courses.headings import Meaning
 from server.courses.zones import told
 from server.people import access
 from server.policy import CourseRole
@@ -83,13 +84,15 @@ async def import_roster(course: str, request: Request, bench: Tools, reader: Ask
     if values.get("apply") == "yes":
         await courses.take_roster(bench, reader, text, apply=True)
         return _back(course)
-    changes, unread = await courses.take_roster(bench, reader, text, apply=False)
+    changes, read = await courses.take_roster(bench, reader, text, apply=False)
     context = {
         "course": courses.here(reader).course,
         "text": text,
         "changes": [change for change in changes if change.what != "same"],
         "same": sum(change.what == "same" for change in changes),
-        "unread": [(line.line, _reason(reader, line)) for line in unread],
+        "unread": [(line.line, _reason(reader, line)) for line in read.unread],
+        "columns": [(one.value, [c for c in read.columns if c.meaning is one]) for one in Meaning],
+        "above": read.above,
     }
     return page(request, reader.language, "roster.html", context, path=f"/courses/{course}")
 

@@ -1,4 +1,4 @@
-"""A roster as a lecturer pastes or sends it: one student a line, index number; name; group."""
+"""A roster as a lecturer pastes or sends it: one student a line, under headings, or else index number; name; group."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import csv
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from server.courses.headings import IN_ORDER, Column, Meaning, is_login, understood
 from server.people.identity import login_of, name_of
 from server.storage.courses import Row
 from server.web.errors import Refused
@@ -15,7 +16,8 @@ MOST_ROWS = 1000
 MOST_GROUP = 80
 PEEKED = 4096  # bytes by which UTF-16 is told
 SPREADSHEETS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # how XLSX and ODS begin, and XLS
-HEADINGS = {"index", "login", "indeks", "nr indeksu", "e-mail", "номер", "логин"}
+NEAR = 15  # lines from the top, among which the headings stand
+PAGES = ("cp1250", "cp1251")  # of Windows
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +28,21 @@ class Unread:
     code: str
 
 
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What was read of a roster: its students, lines that cannot be used, what the columns hold, and the lines above
+    the headings, which say nothing of students."""
+
+    rows: tuple[Row, ...]
+    unread: tuple[Unread, ...]
+    columns: tuple[Column, ...]
+    above: tuple[int, ...]
+
+
 def decoded(raw: bytes, language: str) -> str:
-    """Give the text of a file as spreadsheets write it: UTF-8, UTF-16, or the code page of the course's language.
+    """Give the text of a file as spreadsheets write it: UTF-8, UTF-16, or a code page of Windows.
+
+    Of the pages, it is the one by which more headings are understood, else that of the course's language.
 
     Raises:
         Refused: 422, it is no text, such as a spreadsheet that was not saved as CSV.
@@ -35,12 +50,12 @@ def decoded(raw: bytes, language: str) -> str:
     if raw.startswith(SPREADSHEETS):
         raise Refused(422, "roster_spreadsheet", field="file")
     try:
-        return raw.decode(_encoding(raw, "cp1251" if language == "ru" else "cp1250"))
+        return raw.decode(_encoding(raw, language))
     except UnicodeDecodeError:
         raise Refused(422, "roster_encoding", field="file") from None
 
 
-def _encoding(raw: bytes, page: str) -> str:
+def _encoding(raw: bytes, language: str) -> str:
     if raw.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return "utf-16"
     for start, wide in ((1, "utf-16-le"), (0, "utf-16-be")):  # digits and separators have an empty half
@@ -50,12 +65,24 @@ def _encoding(raw: bytes, page: str) -> str:
     try:
         raw.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return page
+        return _page(raw, language)
     return "utf-8-sig"
 
 
-def read(text: str) -> tuple[list[Row], list[Unread]]:
-    """Read a roster with commas, semicolons or tabs between the columns.
+def _page(raw: bytes, language: str) -> str:
+    pages = PAGES[::-1] if language == "ru" else PAGES
+    return max(pages, key=lambda page: _understood(raw[:PEEKED].decode(page, "replace")))
+
+
+def _understood(text: str) -> int:
+    """Count the headings that are understood."""
+    lines = text.splitlines()
+    columns = _headed(lines, _delimiter(lines))[1]
+    return sum(one.meaning is not Meaning.UNUSED for one in columns if one.heading)
+
+
+def read(text: str) -> Reading:
+    """Read a roster with commas, semicolons or tabs between the columns, under headings or index; name; group.
 
     Raises:
         Refused: 422, there are too many lines.
@@ -63,23 +90,47 @@ def read(text: str) -> tuple[list[Row], list[Unread]]:
     lines = text.removeprefix("\ufeff").splitlines()
     if len(lines) > MOST_ROWS:
         raise Refused(422, "long_roster", field="roster", most=MOST_ROWS)
+    delimiter = _delimiter(lines)
+    begin, columns = _headed(lines, delimiter)
     rows: list[Row] = []
     unread: list[Unread] = []
-    delimiter = _delimiter(lines)
-    for number, line in enumerate(lines, 1):
+    filled: set[int] = set()
+    for number, line in enumerate(lines[begin:], begin + 1):
         try:
             cells = _cells(line, delimiter)
-            if not any(cells) or (number == 1 and cells[0].casefold() in HEADINGS):
-                continue
-            rows.append(_row(cells, rows))
+            filled |= {at for at, cell in enumerate(cells, 1) if cell}
+            if any(cells):
+                rows.append(_row(cells, columns, rows))
         except Refused as refused:
             unread.append(Unread(number, refused.code))
-    return rows, unread
+    above = [number for number, line in enumerate(lines[: max(0, begin - 1)], 1) if line.strip(" ;,\t")]
+    told = [one for one in columns if one.number in filled or one.heading]
+    return Reading(tuple(rows), tuple(unread), tuple(told), tuple(above))
+
+
+def _headed(lines: Sequence[str], delimiter: str) -> tuple[int, tuple[Column, ...]]:
+    """Find the headings near the top; gives how many lines they end, and what the columns hold."""
+    first = None
+    for number, line in enumerate(lines[:NEAR], 1):
+        cells = _parted(line, delimiter)
+        columns = understood(cells)
+        if columns is not None:
+            return number, columns
+        if first is None and any(cells):
+            first = number if is_login(cells[0]) else 0
+    return first or 0, IN_ORDER
+
+
+def _parted(line: str, delimiter: str) -> list[str]:
+    try:
+        return _cells(line, delimiter) or [""]
+    except Refused:
+        return [""]
 
 
 def _delimiter(lines: Sequence[str]) -> str:
-    first = next((line for line in lines if line.strip()), "")
-    return max(";,\t", key=first.count)
+    top = "".join(lines[:NEAR])
+    return max(";\t,", key=top.count)
 
 
 def _cells(line: str, delimiter: str) -> list[str]:
@@ -90,14 +141,19 @@ def _cells(line: str, delimiter: str) -> list[str]:
         raise Refused(422, "bad_quotes") from None
 
 
-def _row(cells: Sequence[str], before: Sequence[Row]) -> Row:
-    if any(cells[3:]):
-        raise Refused(422, "many_columns")
-    login = login_of(cells[0])
-    name = name_of(cells[1] if len(cells) > 1 else "")
-    group = " ".join(cells[2].split()) if len(cells) > 2 else ""
+def _row(cells: Sequence[str], columns: Sequence[Column], before: Sequence[Row]) -> Row:
+    if any(cells[len(columns) :]):
+        raise Refused(422, "many_columns" if columns is IN_ORDER else "surplus_cells")
+    login = login_of(_held(cells, columns, Meaning.LOGIN))
+    name = name_of(_held(cells, columns, Meaning.NAME))
+    group = _held(cells, columns, Meaning.GROUP)
     if group and (len(group) > MOST_GROUP or not group.isprintable() or group[0] in "=+-@"):
         raise Refused(422, "bad_group")
     if any(row.login == login for row in before):
         raise Refused(422, "twice_in_roster")
     return Row(login, name, group)
+
+
+def _held(cells: Sequence[str], columns: Sequence[Column], meaning: Meaning) -> str:
+    held = (cells[one.number - 1] for one in columns if one.meaning is meaning and one.number <= len(cells))
+    return " ".join(word for cell in held for word in cell.split())

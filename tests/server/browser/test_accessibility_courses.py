@@ -95,6 +95,18 @@ def refused_draft(page: Page) -> None:
     page.wait_for_selector("[role=alert]")
 
 
+def clashed_draft(page: Page) -> None:
+    page.evaluate("""async () => {
+        const form = new URLSearchParams(new FormData(document.querySelector("#draft")));
+        form.set("title", `Changed in another window ${Date.now()}`);
+        form.set("minutes", "45");
+        await fetch(location.href, { method: "POST", body: form });
+    }""")
+    page.fill("#title", "Changed in this window")
+    follow(page, "#draft > .row > button:not([name])")
+    page.wait_for_selector("[role=alert] td")
+
+
 def extra_time(page: Page) -> None:
     page.click("details:has(form[action$='/time']) > summary")
     page.wait_for_selector("#minutes")
@@ -130,6 +142,7 @@ STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
     "sets": ("lecturer", "sets", None),
     "builder": ("lecturer", "draft", None),
     "refused builder": ("lecturer", "draft", refused_draft),
+    "draft changed twice": ("lecturer", "draft", clashed_draft),
     "work of a student": ("lecturer", "work", extra_time),
     "published set": ("lecturer", "set", None),
     "results": ("lecturer", "results", None),
@@ -189,6 +202,7 @@ def test_the_points_of_a_set_of_one_task_are_seen_on_a_phone(page: Page, campus:
         "audit log",
         "account",
         "course",
+        "draft changed twice",
         "work of a student",
         "item analysis",
         "changes of a regrade",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import codecs
+import re
+from html import unescape
 
 import pytest
 from starlette.testclient import TestClient
@@ -45,15 +47,89 @@ def send(browser: TestClient, school: School, content: bytes, name: str = "lista
 
 @pytest.mark.parametrize("name", ['"Anna', 'Anna "', '"Anna" Nowak', '"' + "a" * 200_000, "a" * 200_000])
 def test_a_quotation_mark_out_of_place_swallows_no_student(name: str) -> None:
-    rows, unread = rosters.read(f'1001;{name}\n1002;"Nowak; Jan";B\n')
+    read = rosters.read(f'1001;{name}\n1002;"Nowak; Jan";B\n')
+    rows, unread = read.rows, read.unread
     assert (rows[-1].login, rows[-1].name, rows[-1].group) == ("1002", "Nowak; Jan", "B")
     assert [one.line for one in unread] == [1] * (2 - len(rows)) and len(rows) == 1 + (name == 'Anna "')
 
 
 def test_a_name_in_two_columns_is_not_taken_for_a_group() -> None:
-    rows, unread = rosters.read("1001;Nowak;Anna;B\n1002;Jan Nowak;B;\n1003;Ewa Lis;B;;")
-    assert [row.login for row in rows] == ["1002", "1003"]
-    assert [(one.line, one.code) for one in unread] == [(1, "many_columns")]
+    read = rosters.read("1001;Nowak;Anna;B\n1002;Jan Nowak;B;\n1003;Ewa Lis;B;;")
+    assert [row.login for row in read.rows] == ["1002", "1003"]
+    assert [(one.line, one.code) for one in read.unread] == [(1, "many_columns")]
+
+
+USOS = """Wydział Mechaniczny; rok akademicki 2026/2027
+Przedmiot: TMM-2
+
+Lp.;Nr albumu;Nazwisko;Imię;Drugie imię;E-mail;Kierunek;Grupa dziekańska
+1;3001;Żółć;Świętosława;;s.zolc@example.edu;MiBM;12A
+;;;;;;;
+2;3002;Nowak;Jan;Maria;;MiBM;12B
+3;3001;Inny;Ktoś;;;MiBM;12B
+4;3003;Krótki
+5;3004;Lis;Ewa;;;MiBM;12A;nadmiar
+"""
+DEKANAT = "№ п/п,Группа,ФИО,Номер зачётной книжки,Подгруппа\n1,МТ-31,Ёлкина Юлия Олеговна,18-204,2\n"
+REGISTRY = "First name\tSurname\tStudent ID (6 digits)\tTutorial group\tGroup\nAnn\tO'Neil, Jr\t300412\t\tMon\n"
+
+
+def meant(read: rosters.Reading) -> dict[str, list[int]]:
+    found: dict[str, list[int]] = {}
+    for one in read.columns:
+        found.setdefault(one.meaning, []).append(one.number)
+    return found
+
+
+def test_an_export_is_read_by_its_headings_and_what_is_left_out_is_told() -> None:
+    read = rosters.read("\ufeff" + USOS)
+    assert [(row.login, row.name, row.group) for row in read.rows] == [
+        ("3001", "Żółć Świętosława", "12A"),
+        ("3002", "Nowak Jan Maria", "12B"),
+        ("3003", "Krótki", ""),
+    ]
+    assert [(one.line, one.code) for one in read.unread] == [(8, "twice_in_roster"), (10, "surplus_cells")]
+    assert meant(read) == {"unused": [1, 6, 7], "login": [2], "name": [3, 4, 5], "group": [8]}
+    assert read.above == (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("text", "row", "columns"),
+    [
+        (
+            DEKANAT,
+            ("18-204", "Ёлкина Юлия Олеговна", "МТ-31"),
+            {"unused": [1, 5], "group": [2], "name": [3], "login": [4]},
+        ),
+        (REGISTRY, ("300412", "Ann O'Neil, Jr", "Mon"), {"name": [1, 2], "login": [3], "unused": [4], "group": [5]}),
+        ("e-mail;name\na@b.pl;Ann\n", ("a@b.pl", "Ann", ""), {"login": [1], "name": [2]}),
+        ("3001;Ann;B\n", ("3001", "Ann", "B"), {"login": [1], "name": [2], "group": [3]}),
+        ("3001;Ann\n", ("3001", "Ann", ""), {"login": [1], "name": [2]}),
+        ("Indeks;Osoba zapisana\n3001;Ann\n", ("3001", "Ann", ""), {"login": [1], "name": [2]}),
+    ],
+)
+def test_columns_stand_in_any_order(text: str, row: tuple[str, str, str], columns: dict[str, list[int]]) -> None:
+    read = rosters.read(text)
+    assert [(one.login, one.name, one.group) for one in read.rows] == [row] and read.unread == ()
+    assert meant(read) == columns
+
+
+def test_headings_tell_the_code_page_whatever_the_language_of_the_course() -> None:
+    for language in ("pl", "en", "ru"):
+        assert rosters.decoded(USOS.encode("cp1250"), language) == USOS
+        russian = DEKANAT.replace("№ п/п", "№")
+        assert rosters.decoded(russian.encode("cp1251"), language) == russian
+
+
+def test_the_preview_says_what_is_read_from_which_column(school: School) -> None:
+    lecturer = school.browser("lecturer")
+    _, page = send(lecturer, school, USOS.encode("cp1250"))
+    page = " ".join(unescape(re.sub(r"<[^>]+>", " ", page)).split())
+    assert "Index number or e-mail 2 (Nr albumu) " in page and "Name 3 (Nazwisko), 4 (Imię), 5 (Drugie imię) " in page
+    assert "Not used 1 (Lp.), 6 (E-mail), 7 (Kierunek)" in page
+    assert "Lines left out above the headings: 1, 2." in page
+    told = lecturer.post(f"/api/v1/courses/{school.course}/roster", json={"csv": USOS}).json()
+    assert told["columns"][1] == {"number": 2, "heading": "Nr albumu", "meaning": "login"} and told["above"] == [1, 2]
 
 
 def test_a_file_shows_what_will_change_and_changes_nothing(school: School) -> None:
