@@ -107,6 +107,11 @@ def left(until: datetime | None, now: datetime) -> tuple[str, int, int] | None:
     return ("days", *divmod(minutes // 60, 24)) if minutes >= 24 * 60 else ("hours", *divmod(minutes, 60))
 
 
+def seconds_left(until: datetime | None, now: datetime) -> int:
+    """Give the whole seconds left, 0 once the time is up or where it has no end."""
+    return 0 if until is None else max(0, int((until - now).total_seconds()))
+
+
 def shifted(moment: datetime, days: int, place: ZoneInfo) -> datetime:
     """Move a moment by whole days; the hour on the wall stays."""
     wall = moment.astimezone(place).replace(tzinfo=None) + timedelta(days=days)

@@ -138,5 +138,6 @@ async def on_page(bench: Bench, variant: str, language: str, now: datetime) -> d
         "task_open": own.stage in (Stage.OPEN, Stage.LATE) and task.left != 0,
         "spoilt": last is not None and faulty(last),
         "remaining": clock.left(own.window.due, now),
+        "seconds": clock.seconds_left(own.window.due, now),
         **zones.told(language, clock.zone(course.time_zone)),
     }

@@ -20,6 +20,7 @@ import {
 } from "./sketch_model.ts";
 import { inWords } from "./spoken.ts";
 import { keystroke, nextKey } from "./symbols.ts";
+import { inTime, passes } from "./time_left.ts";
 import { entriesOf } from "./twin.ts";
 import { latexOf } from "./visual.ts";
 
@@ -123,6 +124,14 @@ test("a copied table is parted into its cells, and one cell is no table", () => 
   assert.deepEqual(tableOf("q1; L1\npi/2 - q2; 0"), [["q1", "L1"], ["pi/2 - q2", "0"]]);
   assert.deepEqual(tableOf(" 1  2\n 3 4\n"), [["1", "2"], ["3", "4"]]);
   for (const text of ["", "12,5", "pi/2 - q2", "12,5\n"]) assert.equal(tableOf(text), null, text);
+});
+
+test("the time left is told in two parts and spoken at an hour, ten minutes, one minute and the end", () => {
+  const words = { days: "{first} d {second} h", hours: "{first} h {second} min", over: "up" };
+  const told = [200000, 86400, 86399, 3600, 61, 59, 0.5, 0, -3].map((seconds) => inTime(seconds, words));
+  assert.deepEqual(told, ["2 d 7 h", "1 d 0 h", "23 h 59 min", "1 h 0 min", "0 h 1 min", "0 h 0 min", "0 h 0 min", "up", "up"]);
+  const looks = [[3601, 3600], [601, 599.9], [61, 60], [1, -0.1], [3600, 3599], [599, 598], [0, -1]] as const;
+  assert.deepEqual(looks.map(([before, after]) => passes(before, after)), [true, true, true, true, false, false, false]);
 });
 
 test("a draft is kept for thirty days and a damaged one is dropped", () => {

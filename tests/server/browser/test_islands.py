@@ -37,7 +37,9 @@ PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
 <input name="answer.T.2.2"></div>
 <label><input type="radio" name="answer.c" value="a">a</label>
 <label><input type="radio" name="answer.c" value="b">b</label>
-<button class="btn main" type="submit" data-sending="Wysyłanie">Sprawdź</button></form></html>"""
+<button class="btn main" type="submit" data-sending="Wysyłanie">Sprawdź</button></form>
+<p><small data-left="2" data-days="-" data-hours="{{first}} h {{second}} min" data-over="minął">5 h</small><span
+ id="said" role="status"></span></p></html>"""
 
 SLOW_FIRST = """() => { window.fetch = async (url, {body}) => {
   if (!url.endsWith("/preview")) return new Promise(() => {});
@@ -276,6 +278,14 @@ def test_a_formula_grows_takes_no_line_break_and_is_sent_once_by_ctrl_enter(site
     page.evaluate("window.dispatchEvent(new PageTransitionEvent('pageshow'))")
     assert page.inner_text("button.main") == "Sprawdź"
     assert page.get_attribute("button.main", "aria-disabled") is None
+
+
+def test_the_time_left_goes_on_and_its_end_is_said(site: Site) -> None:
+    page = site.open()
+    page.wait_for_selector(".soon:text('0 h 0 min')")
+    assert page.inner_text("#said") == ""
+    page.wait_for_selector("[data-left]:text('minął')")
+    assert page.inner_text("#said") == "minął"
 
 
 def test_ctrl_and_an_arrow_move_in_the_matrix(site: Site) -> None:

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from server.sets.clock import NoSuchMoment, left, local, read, shifted, spoken, zone
+from server.sets.clock import NoSuchMoment, left, local, read, seconds_left, shifted, spoken, zone
 
 WARSAW = zone("Europe/Warsaw")
 
@@ -78,3 +78,4 @@ def test_a_zone_that_does_not_exist_is_refused() -> None:
 def test_the_time_left_is_told_in_two_parts_until_it_is_up(ahead: timedelta, told: tuple[str, int, int] | None) -> None:
     now = datetime(2026, 11, 28, 22, tzinfo=UTC)
     assert left(now + ahead, now) == told and left(None, now) is None
+    assert seconds_left(now + ahead, now) == max(0, ahead.total_seconds()) and seconds_left(None, now) == 0

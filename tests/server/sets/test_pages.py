@@ -342,6 +342,12 @@ def test_a_section_of_a_report_tells_the_attempt_it_costs_and_an_examination_is_
     assert "(attempt 1 of 3)</button>" in page.rpartition('class="btn main"')[2]
 
 
+def test_a_task_tells_the_seconds_until_it_is_due(course: Course) -> None:
+    path = f"/variants/{course.variant(course.published(due=moment(days=1)))}?lang=en"
+    found = re.search(r'data-left="(\d+)" data-days="{first} d {second} h left"', course.student.get(path).text)
+    assert found and 23 * 3600 < int(found[1]) <= 24 * 3600
+
+
 def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course: Course) -> None:
     path = f"/variants/{course.variant(course.published(item={'exercise': 'tmm2_oop'}))}"
     assert 'name="section"' in course.student.get(path).text
