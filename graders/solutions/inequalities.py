@@ -5,7 +5,7 @@ They are tested inside, exactly on every border that is found, and between neigh
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import islice, pairwise, product
 from typing import TypeAlias
@@ -19,6 +19,7 @@ from graders.solutions.beside import SLANT, Beside, beside
 from graders.solutions.branches import Branches, branch_starts
 from graders.solutions.descent import descended
 from graders.solutions.equations import EQUAL, UNDECIDED, Found
+from graders.solutions.reduction import BENT, degrees_along
 from graders.solutions.scene import (
     BITS,
     Effort,
@@ -31,7 +32,7 @@ from graders.solutions.scene import (
     moved,
     used_symbols,
 )
-from graders.solutions.zeros import Line, Zero, scanned, straight
+from graders.solutions.zeros import Line, Zero, crossing, parabola, scanned, straight
 
 ORDERS = {"<": (True, True), "<=": (True, False), ">": (False, True), ">=": (False, False)}  # below, strict
 LINES = 4  # points through which borders are looked for
@@ -75,6 +76,8 @@ class Regions:
         self.sides = (Side(self.both, 0), Side(self.both, 1))
         self.trees = [tree for side in trees for tree in side]
         self.met = set[Place]()  # residuals of which a border was met
+        self.degrees = dict[int, list[int]]()  # of all slots, by the symbol
+        self._residuals = [(which, index) for which in (0, 1) for index in range(len(trees[which]))]
         self.unsure, self.seen = False, 0  # points through which lines along all symbols were tested
 
     def known(self) -> Found:
@@ -124,15 +127,15 @@ class Regions:
     def _elsewhere(self) -> Found | None:
         """Test borders that no line has met, where steps down a slope lead to them."""
         used = used_symbols(self.scene, self.trees)
-        for which, side in enumerate(self.sides):
-            for index in range(len(self.orders[which])):
-                starts = () if (which, index) in self.met else islice(extreme(self.scene), STEEP)
-                zeros = (descended(Side(side.pair, which, (index,)), start, used) for start in starts)
-                inner = (zero for zero in zeros if zero is not None and self._within(zero, used))
-                for zero in islice(inner, 2):
-                    found = self._on_border(which, index, zero)
-                    if found is not None:
-                        return found
+        for place in self._residuals:
+            side = Side(self.both, place[0], place[1:])
+            starts = () if place in self.met else islice(extreme(self.scene), STEEP)
+            zeros = (descended(side, start, used) for start in starts)
+            inner = (zero for zero in zeros if zero is not None and self._within(zero, used))
+            for zero in islice(inner, 2):
+                found = self._on_border(place, zero, {})
+                if found is not None:
+                    return found
         return None
 
     def _within(self, zero: Zero, used: Sequence[int]) -> bool:
@@ -147,13 +150,16 @@ class Regions:
 
     def _along(self, start: Sequence[float], at: int) -> Found | None:
         """Test the borders along a symbol and the stretches between them."""
-        zeros = [(which, index, zero) for which, index, zero in self._zeros(start, at)]
-        for which, index, zero in zeros:
-            self.met.add((which, index))
-            found = self._on_border(which, index, zero)
-            if found is not None:
-                return found
-        places = sorted((zero.point[at] for *_, zero in zeros), key=lambda place: float(place.mid()))
+        places, shared = list[arb](), dict[Place, list[Zero]]()
+        for place in self._residuals:
+            for zero in self._zeros(place, start, at, shared.get(place, [])):
+                self.met.add(place)
+                if not any(zero.point[at].overlaps(known.point[at]) for known in shared.get(place, [])):
+                    places.append(zero.point[at])
+                    found = self._on_border(place, zero, shared)
+                    if found is not None:
+                        return found
+        places.sort(key=lambda place: float(place.mid()))
         low, high = self.scene.ranges[at]
         for one, two in pairwise([arb(low), *places, arb(high)]):
             middle = arb((one.mid() + ASIDE * (two.mid() - one.mid())).mid())
@@ -163,32 +169,46 @@ class Regions:
                     return found
         return None
 
-    def _zeros(self, start: Sequence[float], at: int) -> Iterator[tuple[int, int, Zero]]:
-        for which, side in enumerate(self.sides):
-            for index in range(len(self.orders[which])):
-                line = Line(side, start, at, index)
-                found = straight(line)
-                if found is None:
-                    yield from ((which, index, zero) for zero in islice(scanned(line, NODES), MOST))
-                elif found.zero is not None:
-                    yield which, index, found.zero
+    def _zeros(self, place: Place, start: Sequence[float], at: int, known: Sequence[Zero]) -> Iterable[Zero]:
+        """Give the zeros of a residual on a line; those that are known are not looked for again."""
+        line, degree = Line(self.sides[place[0]], start, at, place[1]), self._degree(place, at)
+        if degree < BENT:
+            zeros = parabola(line) if degree == 2 else [crossing(line)] if degree else []
+            if zeros is not None:
+                return [zero for zero in zeros if zero is not None]
+        found = straight(line)
+        if found is None:
+            return islice(scanned(line, NODES, known), MOST)
+        return [] if found.zero is None else [found.zero]
 
-    def _on_border(self, which: int, index: int, zero: Zero) -> Found | None:
-        """Test a point where a residual is zero; others that are zero there are found by how they behave around it."""
-        known, missing = {(which, index)}, set[Place]()
-        for other, side in enumerate(self.sides):
-            for k in range(len(self.orders[other])):
-                value = side.ball(zero.point, k)
-                if (other, k) not in known and (value is None or value.contains(0)):
-                    state = beside(Side(self.both, other, (k,)), zero)
-                    if state is Beside.ZERO:
-                        known.add((other, k))
-                    elif value is None:
-                        missing.add((other, k))
-                    elif state is Beside.UNSURE:
-                        self.unsure = True
-                        return None
-        return self._tested([arb(x.mid()) for x in zero.point], frozenset(known), frozenset(missing))
+    def _degree(self, place: Place, at: int) -> int:
+        """Give the degree of a residual in a symbol, as it is written."""
+        if at not in self.degrees:
+            self.degrees[at] = degrees_along(self.both.program, at)
+        return self.degrees[at][self.both.program.outputs[self.both.starts[place[0]] + place[1]]]
+
+    def _on_border(self, place: Place, zero: Zero, shared: dict[Place, list[Zero]]) -> Found | None:
+        """Test a point where a residual is zero; others that are zero there are found by how they behave around it.
+
+        Args:
+            place: The residual.
+            zero: The point.
+            shared: Takes the zero for those others.
+        """
+        zeros, missing = {place}, set[Place]()
+        for other in self._residuals:
+            value = self.sides[other[0]].ball(zero.point, other[1])
+            if other not in zeros and (value is None or value.contains(0)):
+                state = beside(Side(self.both, other[0], other[1:]), zero)
+                if state is Beside.ZERO:
+                    zeros.add(other)
+                    shared.setdefault(other, []).append(zero)
+                elif value is None:
+                    missing.add(other)
+                elif state is Beside.UNSURE:
+                    self.unsure = True
+                    return None
+        return self._tested([arb(x.mid()) for x in zero.point], frozenset(zeros), frozenset(missing))
 
     def _tested(
         self, point: Sequence[arb], zeros: frozenset[Place] = frozenset(), missing: frozenset[Place] = frozenset()

@@ -20,7 +20,7 @@ TINY = arb(2) ** -150
 STEEP = arb(2) ** 20
 CLOSED, CLOSE = 1e-13, 1e-10  # of the way: how far a change of sign is followed in doubles; where balls go on alone
 ROUGH = 2.0**-32  # of the range: how far from a zero in doubles its sign is tested
-SURE, HALVES = 128, 90  # bits up to which a ball that is finite means continuous; how often a way is halved
+SURE, HALVES = 128, 115  # bits up to which a ball that is finite means continuous; how often a way is halved
 AWAY = 1e-6  # of the greater value at an end: with less at the other one there may be a zero after all
 
 
@@ -286,7 +286,7 @@ def steep(line: Line, start: float) -> Zero | None:
     with precision(SURE):  # below it nothing is cut at the edge of a domain: finite means continuous
         if rough is None or line.ball(rough.point[line.at]) is None:
             return None
-    return proved(line, _halved(line, arb(start), ROUGH * width)) or rough
+    return _between_signs(line, _halved(line, arb(start), ROUGH * width), DELTA * width) or rough
 
 
 def jumps(program: Program) -> bool:

@@ -50,6 +50,7 @@ EQUAL = [
     ("x", "1/tan(x) = a", "x = atan(1/a)"),
     ("y", "1e200*y = 1e200*a", "1e-200*y = 1e-200*a"),
     ("y", "y^40 = a^40", "|y| = a"),
+    ("y", "(y - a)^3 + (y - a)^5 = 0", "y = a"),
 ]
 DIFFERENT = [
     ("a2", "l1*sin(a1) + l2*sin(a2) = e", "l1*sin(a1) - l2*sin(a2) = e"),

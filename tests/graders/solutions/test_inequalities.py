@@ -5,9 +5,12 @@ from __future__ import annotations
 import pytest
 
 from graders.equality import Finding
+from graders.language import Symbols, parse
+from graders.language.balls import precision
+from graders.language.tree import Relation
 from graders.solutions.equations import Found
-from graders.solutions.inequalities import compare_inequalities
-from graders.solutions.scene import scene_of
+from graders.solutions.inequalities import INEQUALITY_WORK, Regions, compare_inequalities
+from graders.solutions.scene import BITS, scene_of
 from tests.graders.effort import effort
 from tests.graders.solutions.boxes import SCENE, relation
 
@@ -28,6 +31,8 @@ EQUAL = [
     ("y/(y - a) > 0", "y*(y - a) > 0"),
     ("y < a < y + 1", "a - 1 < y < a"),
     ("sin(y) > 0", "0 < y < pi"),
+    ("(y - a)^3 > 0", "3*(y - a)^3 > 3*0"),
+    ("-b <= y*sin(x) <= a", "a >= y*sin(x) >= -b"),
 ]
 DIFFERENT = [
     ("y < a", "y <= a"),
@@ -61,6 +66,21 @@ def test_another_region_is_different_with_a_witness(one: str, other: str) -> Non
     found, back = compared(one, other), compared(other, one)
     assert found.finding is back.finding is Finding.DIFFERENT
     assert found.witness and found.lost is not back.lost
+
+
+def test_a_flat_border_between_a_true_one_and_a_false_one_counts() -> None:
+    scene = scene_of(("phi", "mu"), ((-1.5, 1.5), (0.05, 0.325)))
+    one, other = (parse(text, Symbols(scene.names)) for text in ("tan(phi) < phi", "sin(phi) < mu"))
+    assert isinstance(one, Relation)
+    assert isinstance(other, Relation)
+    assert compare_inequalities(other, one, scene).finding is Finding.DIFFERENT
+
+
+def test_a_border_of_both_is_looked_for_once() -> None:
+    both = Regions(SCENE, relation("|y*sin(x)| <= a"), relation("-a <= y*sin(x) <= a"))
+    with precision(BITS):
+        assert both.known().finding is Finding.EQUAL
+    assert INEQUALITY_WORK - both.effort.left < 18_000
 
 
 def test_a_hostile_inequality_costs_little() -> None:
