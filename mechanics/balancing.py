@@ -134,6 +134,12 @@ class Substitution:
 def two_points(m: float, l_AS: float, l_BS: float, J_S: float = 0.0) -> Substitution:
     """Replace a link by masses in A and B with its mass and its mass centre (BV-6, static).
 
+    Args:
+        m: Mass of the link, in kg.
+        l_AS: Distance of A from the mass centre S, in metres.
+        l_BS: Distance of B from S, in metres.
+        J_S: Inertia of the link about S, in kg m^2; only the defect depends on it.
+
     Raises:
         ValueError: A mass or a distance is not positive and finite.
     """
@@ -144,6 +150,8 @@ def two_points(m: float, l_AS: float, l_BS: float, J_S: float = 0.0) -> Substitu
 
 def three_points(m: float, l_AS: float, l_BS: float, J_S: float) -> Substitution:
     """Replace a link by masses in A, B and S with its mass, its mass centre and its inertia (BV-6, dynamic).
+
+    Arguments as for `two_points`.
 
     Raises:
         ValueError: A mass, an inertia or a distance is not positive and finite.

@@ -55,6 +55,11 @@ def required_modulus(M: float, sigma_allow: float) -> float:
 def required_diameter(M: float, sigma_allow: float, bore_ratio: float = 0.0) -> float:
     """Return the least outer diameter (m) of a round section, with a bore in a given ratio to it.
 
+    Args:
+        M: Bending moment, in N m; its sign does not matter.
+        sigma_allow: Allowable stress, in Pa.
+        bore_ratio: Inner over outer diameter, from 0 to below 1.
+
     Raises:
         ValueError: A value is not finite, not positive or out of its range.
 
@@ -68,7 +73,7 @@ def required_diameter(M: float, sigma_allow: float, bore_ratio: float = 0.0) -> 
 
 
 def required_height(M: float, sigma_allow: float, width_ratio: float) -> float:
-    """Return the least height h (m) of a rectangle whose width is a given part of it.
+    """Return the least height h (m) of a rectangle whose width is a given part of it; M in N m, stress in Pa.
 
     Raises:
         ValueError: A value is not finite, or the stress or the ratio not positive.

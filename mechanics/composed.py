@@ -214,7 +214,7 @@ def t_section(b: float, h: float, flange: float, web: float) -> Composed:
 
 
 def box(b: float, h: float, wall: float, flange: float) -> Composed:
-    """Put a rectangular tube together: two walls (each `wall` thick, m) between two flanges.
+    """Put a rectangular tube together: two walls (each `wall` thick, m) between two flanges; b wide, h high (m).
 
     Raises:
         ValueError: A size is not positive and finite or does not fit.

@@ -53,7 +53,12 @@ def second(samples: Sequence[float], tau: float) -> tuple[float, ...]:
 
 
 def coupling_link(alpha: Sequence[float], beta: Sequence[float], tau: float) -> CouplingRates:
-    """Find angular velocity and acceleration of a link from its two sampled angles, in radians.
+    """Find angular velocity and acceleration of a link from its two sampled angles.
+
+    Args:
+        alpha: Samples of the first angle, ``(n,)``, in radians.
+        beta: Samples of the second angle, ``(n,)``, in radians.
+        tau: Time between two samples, in seconds.
 
     Raises:
         ValueError: The angles are not sampled equally often, or as for `first`.

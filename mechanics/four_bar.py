@@ -179,7 +179,7 @@ def _with_point(
 
 
 def crank_turns(l1: float, l2: float, l3: float, l4: float) -> bool:
-    """Tell whether the crank turns fully (Grashof): coupler and rocker can span both |l1 - l4| and l1 + l4."""
+    """Tell whether the crank turns fully (Grashof): coupler and rocker can span both |l1 - l4| and l1 + l4 (m)."""
     return l1 + l4 <= l2 + l3 and abs(l1 - l4) >= abs(l2 - l3)
 
 

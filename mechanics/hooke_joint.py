@@ -96,7 +96,7 @@ def ratio_range(beta: float) -> Range:
 
 
 def double_ratio_range(beta1: float, beta2: float, phase: float = 0.0) -> Range:
-    """Give the range of omega3/omega1 over a turn of a double Cardan shaft; arguments as for `double`.
+    """Give the range of omega3/omega1 over a turn of a double Cardan shaft; arguments and errors as for `double`.
 
     Source:
         Domain TR-8, for any phase: the two joints map the direction (cos gamma1, sin gamma1) linearly, and the

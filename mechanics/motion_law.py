@@ -145,7 +145,7 @@ def constant_output(AC: float, BC: float, beta: float, omega: float) -> Extensio
 
 
 def fastest_extension(AC: float, BC: float, omega: float) -> tuple[float, float]:
-    """Find the angle beta (rad) at which |AB'| is largest, and that speed (m/s).
+    """Find the angle beta (rad) at which |AB'| is largest, and that speed (m/s); AC and BC in m, omega in rad/s.
 
     Raises:
         ValueError: A length is not positive, or the angular velocity not finite.

@@ -46,8 +46,7 @@ def four_bar_motion(
     """
     for name, length in (("crank l1", l1), ("coupler l2", l2), ("rocker l3", l3), ("frame l4", l4)):
         positive(name, length, "m")
-    for name, value, unit in (("alpha1", alpha1, "rad"), ("omega1", omega1, "rad/s"), ("eps1", eps1, "rad/s^2")):
-        finite(name, value, unit)
+    _driver(alpha1, omega1, eps1)
     if mode not in ("C_left_of_BD", "C_right_of_BD"):
         raise ValueError(f"mode must be C_left_of_BD or C_right_of_BD, not {mode!r}")
     joints = four_bar_joints(l1, l2, l3, l4, alpha1, omega1, eps1)
@@ -105,7 +104,9 @@ def inverted_slider_motion(
         SingularError: The crank pin is on the pivot of the guide.
     """
     positive("crank l1", l1, "m")
-    _finite(alpha1=alpha1, omega1=omega1, eps1=eps1, pivot_x=guide_pivot[0], pivot_y=guide_pivot[1])
+    _driver(alpha1, omega1, eps1)
+    for axis, value in zip("xy", guide_pivot, strict=True):
+        finite(f"guide_pivot {axis}", value, "m")
     joints: list[Joint] = [
         Revolute(Marker(0), Marker(1)),
         Revolute(Marker(1, l1), Marker(2)),
@@ -135,7 +136,8 @@ def variable_length_link_motion(AC: float, BC: float, l_AB: float, dl_AB: float,
     """
     for name, length in (("AC", AC), ("BC", BC), ("l_AB", l_AB)):
         positive(name, length, "m")
-    _finite(dl_AB=dl_AB, ddl_AB=ddl_AB)
+    finite("dl_AB", dl_AB, "m/s")
+    finite("ddl_AB", ddl_AB, "m/s^2")
     cylinder, piston, lever = Marker(1), Marker(2), Marker(3)
     joints: list[Joint] = [
         Revolute(Marker(0), cylinder),
@@ -281,9 +283,9 @@ def two_loop_motion(
     return solve(joints, [*base.poses[1:], (cx, cy, angle), (cx + reach, h6, 0.0)])
 
 
-def _finite(**values: float) -> None:
-    for name, value in values.items():
-        finite(name, value, "")
+def _driver(alpha1: float, omega1: float, eps1: float) -> None:
+    for name, value, unit in (("alpha1", alpha1, "rad"), ("omega1", omega1, "rad/s"), ("eps1", eps1, "rad/s^2")):
+        finite(name, value, unit)
 
 
 def _first(joints: list[Joint], starts: list[list[Pose]], wanted: Callable[[Motion], bool]) -> Motion:

@@ -347,7 +347,7 @@ def slider_crank_motion(
     offset: float = 0.0,
     branch: Literal["slider_right", "slider_left"] = "slider_right",
 ) -> Motion:
-    """Move the same slider-crank and give every body: 1 crank, 2 rod from the crank pin, 3 slider."""
+    """Move a slider-crank and give every body: 1 crank, 2 rod, 3 slider; arguments and errors as for `slider_crank`."""
     positive("crank l1", l1, "m")
     positive("rod l2", l2, "m")
     for name, value, unit in (("alpha1", alpha1, "rad"), ("omega1", omega1, "rad/s"), ("offset", offset, "m")):

@@ -46,7 +46,7 @@ def strain(tau: float, G: float) -> float:
 
 
 def shift(tau: float, G: float, height: float) -> float:
-    """Return how far one face slides over the other (m): ds = gamma h for faces `height` metres apart.
+    """Return how far one face slides over the other (m): ds = gamma h; tau and G in Pa, height in m.
 
     Raises:
         ValueError: A value is not finite, or the modulus or the height not positive.
@@ -56,7 +56,7 @@ def shift(tau: float, G: float, height: float) -> float:
 
 
 def bolts_needed(force: float, diameter: float, tau_allow: float, planes: int = 1) -> int:
-    """Return the least number of bolts whose stress stays within the allowable one (Pa), at least 1.
+    """Return the least number of bolts (diameter in m) to carry a force (N) within the allowable stress (Pa).
 
     Raises:
         ValueError: A value is not finite, not positive or below 1, or the number is absurd (over a milliard).
@@ -69,7 +69,7 @@ def bolts_needed(force: float, diameter: float, tau_allow: float, planes: int = 
 
 
 def required_diameter(force: float, tau_allow: float, planes: int = 1, bolts: int = 1) -> float:
-    """Return the least diameter (m) of bolts whose stress stays within the allowable one (Pa).
+    """Return the least diameter (m) of bolts whose stress stays within the allowable one (Pa) under a force (N).
 
     Raises:
         ValueError: A value is not finite, not positive or below 1.

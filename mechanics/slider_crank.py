@@ -165,7 +165,7 @@ def solve(
 
 
 def stroke(crank: float, rod: float, offset: float = 0.0) -> float:
-    """Find the travel of the slider over a full turn of the crank, in metres.
+    """Find the travel of the slider over a full turn of the crank; all in metres.
 
     Raises:
         ValueError: A length is not positive and finite, or the offset not finite.
@@ -185,7 +185,7 @@ def stroke(crank: float, rod: float, offset: float = 0.0) -> float:
 
 
 def dead_positions(crank: float, rod: float, offset: float = 0.0) -> tuple[float, ...]:
-    """Give the crank angles in (-pi, pi] where the rod is perpendicular to the guide, rising.
+    """Give the crank angles in (-pi, pi] where the rod is perpendicular to the guide, rising; lengths in metres.
 
     Raises:
         ValueError: A length is not positive and finite, or the offset not finite.

@@ -109,7 +109,7 @@ def decompose(A: Point, B: Point, v_A: Point, omega: float) -> Decomposition:
 
 
 def angular_velocity(A: Point, B: Point, v_A: Point, v_B: Point) -> float:
-    """Find the angular velocity of a link from the velocities of two of its points, in rad/s.
+    """Find the angular velocity of a link in rad/s from the velocities (m/s) of two of its points (m).
 
     Raises:
         ValueError: A value is not finite, the points coincide, or the velocities would stretch the link.

@@ -105,7 +105,7 @@ def force(oscillator: Oscillator, F0: float, omega: float) -> Forced:
 
 
 def base(oscillator: Oscillator, xi0: float, omega: float) -> Shaken:
-    """Find the steady answer to a base that shakes harmonically; arguments as for `force`, xi0 in m.
+    """Find the steady answer to a base that shakes harmonically by xi0 (m); arguments and errors as for `force`.
 
     Source:
         Domain BV-10: X = xi0 k_R; X_rel = xi0 omega^2/sqrt((omega0^2 - omega^2)^2 + 4 n^2 omega^2).
