@@ -24,4 +24,4 @@ def run(options: Namespace) -> int:
 
 def said(content: copies.Content) -> None:
     """Print what a copy holds, to be compared after it was taken back."""
-    print(f"{content.rows} rows in {content.tables} tables, sha256 {content.digest}")
+    print(f"rows: {content.rows}, tables: {content.tables}, sha256: {content.digest}")

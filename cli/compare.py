@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
 from cli.lines import answered
+from cli.secret import secret
 from graders import comparison
 from mechanics.wire import reading
 from mechanics.wire.refusal import Refusal
@@ -31,8 +31,3 @@ def _answer(raw: bytes) -> dict[str, Any]:
         return {**identity, **comparison.answer(without_id(request), secret())}
     except (Refusal, comparison.BadRequest) as refused:
         return {**identity, "error": {"code": refused.code, "message": refused.message}}
-
-
-def secret() -> bytes:
-    """Give the secret from which the points are drawn: a fixed public one unless it is set."""
-    return os.environ.get("GRUBLER_SECRET", "grubler").encode()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from argparse import ArgumentParser, ArgumentTypeError, Namespace
 from collections.abc import Callable, Mapping, Sequence
@@ -11,7 +10,7 @@ from cli import formats, pipelines
 from cli.marking import Sheet, mark_file
 from cli.problems import language
 from cli.reading import read_tasks
-from exercises.solving import NO_SECRET
+from cli.secret import secret
 
 PASS = 0.5
 FORMATS: Mapping[str, Callable[[Sequence[Sheet], float, str], str]] = {
@@ -36,8 +35,7 @@ def arguments(parser: ArgumentParser) -> None:
 def run(options: Namespace) -> int:
     """Mark the files; one that cannot be used does not stop the others."""
     tasks = read_tasks(options.tasks) if options.tasks else None
-    secret = os.environ.get("GRUBLER_SECRET", "").encode() or NO_SECRET
-    sheets = [mark_file(file, tasks, secret) for file in options.files]
+    sheets = [mark_file(file, tasks, secret()) for file in options.files]
     for sheet in sheets:
         if sheet.problem:
             print(f"grubler: {sheet.problem.worded(options.lang)}", file=sys.stderr)
