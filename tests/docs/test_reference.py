@@ -14,6 +14,7 @@ from tests.docs import (
     command_reference,
     language_reference,
     mechanics_reference,
+    security_reference,
     solver_reference,
     systems_reference,
 )
@@ -28,10 +29,11 @@ DOCS = api_reference.ROOT / "docs"
         (command_reference.PAGE, command_reference.page),
         (language_reference.PAGE, language_reference.page),
         (mechanics_reference.PAGE, mechanics_reference.page),
+        (security_reference.PAGE, security_reference.page),
         (solver_reference.PAGE, solver_reference.page),
         (systems_reference.PAGE, systems_reference.page),
     ],
-    ids=["api", "commands", "language", "mechanics", "solvers", "systems"],
+    ids=["api", "commands", "language", "mechanics", "security", "solvers", "systems"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
