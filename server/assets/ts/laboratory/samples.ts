@@ -17,6 +17,8 @@ export interface Difference {
 
 const COLUMNS = ["t", "x", "v", "a"] as const;
 const UNKNOWN = /^\s*(nan)?\s*$/i; // how programs leave a value out
+const UNIT = /^([mcd]?)(?:[ms]|m\/s(?:\^?2|²|\^\{2\})?)$/; // of SI, with a prefix where there is one
+const PARTS: Record<string, number> = { "": 1, m: 1e-3, c: 1e-2, d: 1e-1 };
 const MOST_ROWS = 5000;
 const LONGEST = 500_000; // characters
 
@@ -29,19 +31,29 @@ export function written(rows: readonly Row[], comma: boolean): string {
   return [COLUMNS.join(";"), ...rows.map((row) => COLUMNS.map((name) => number(row[name])).join(";"))].join("\r\n") + "\r\n";
 }
 
+/** Tells what stands in a column: `x_D [mm]` is x in thousandths; null for a unit that is none of these. */
+export function columnOf(head: string): { name: string; scale: number } | null {
+  const [, name = "", unit = ""] = /^([^[(,]*)(?:[[(,]\s*([^\])]*)[\])]?)?$/.exec(head.trim().toLowerCase()) ?? [];
+  const part = unit === "" ? [""] : UNIT.exec(unit.trim().replaceAll("м", "m").replaceAll("с", "s"));
+  const stem = name.trim().replace(/[_ ].*$/, "");
+  return part === null ? null : { name: stem === "y" ? "x" : stem, scale: PARTS[part[1] ?? ""] ?? 1 };
+}
+
 /** Reads a table with a header that names t and at least one of x, v, a; the number of the first bad line otherwise. */
 export function read(text: string): Row[] | { line: number } {
-  const lines = text.slice(0, LONGEST).replace(/^\ufeff/, "").split(/\r\n|\n|\r/);
+  const lines = text.slice(0, LONGEST).replace(/^\ufeff/, "").replaceAll('"', "").split(/\r\n|\n|\r/);
   const head = lines[0] ?? "";
   const mark = [";", "\t", ","].find((sign) => head.includes(sign)) ?? ";";
-  const names = head.split(mark).map((name) => name.trim().toLowerCase().replace(/\s*[[(].*$/, ""));
-  if (!names.includes("t") || !["x", "v", "a"].some((name) => names.includes(name))) return { line: 1 };
+  const columns = head.split(mark).map(columnOf);
+  const names = columns.map((column) => column?.name ?? "");
+  if (columns.includes(null) || !names.includes("t") || !["x", "v", "a"].some((name) => names.includes(name))) return { line: 1 };
   const rows: Row[] = [];
   for (const [at, line] of lines.entries()) {
     if (at === 0 || line.trim() === "") continue;
     const cells = line.split(mark);
     const cell = (name: string): string => (names.includes(name) ? (cells[names.indexOf(name)] ?? "") : "");
-    const row = { t: number(cell("t")), x: number(cell("x")), v: number(cell("v")), a: number(cell("a")) };
+    const value = (name: string): number => number(cell(name)) * (columns[names.indexOf(name)]?.scale ?? 1);
+    const row = { t: value("t"), x: value("x"), v: value("v"), a: value("a") };
     const known = (name: (typeof COLUMNS)[number]): boolean => Number.isFinite(row[name]) || UNKNOWN.test(cell(name));
     if (!Number.isFinite(row.t) || !COLUMNS.every(known) || rows.length === MOST_ROWS) return { line: at + 1 };
     rows.push(row);
