@@ -13,12 +13,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cached_property
+from operator import mul, sub
 from typing import Any, NamedTuple
 
 from flint import arb
 
 from graders.equality.deciding import PRECISIONS, Finding, exactly, same, share_of, zero
-from graders.equality.multiples import SHIFTED, Known, at_edge, kind_of, multiple
+from graders.equality.multiples import SHIFTED, Known, at_edge, kind_of, multiple, number_for
 from graders.equality.signs import Column, Screened, Signed, implied, screened
 from graders.equality.turns import EXPONENTS
 from graders.language.balls import BALLS, precision
@@ -38,7 +39,6 @@ OWN = ("exponent", "bracket")  # the numbers drawn for these stand for something
 POLES = frozenset(("/", "tan", "cot"))
 AROUND_ONE: Interval = (0.5, 1.5)
 NOTHING = 1e-6  # of a product: a greater difference is one in doubles
-REACH = 2.0  # of drawn numbers, where the values of a function reach further
 
 
 class Unsettled(ArithmeticError):
@@ -179,10 +179,10 @@ class Cases:
             return self._signed(arguments[0], values, case) if self._thin(arguments[0], case) else None
         other = case.slots[arguments[1]]
         if name == "macaulay":
-            powers = [x**order for x, order in zip(one, other, strict=True)], [arb(0)] * len(one)
+            powers = list(map(pow, one, other)), [arb(0)] * len(one)
             found = Choice(one, ends, powers) if other[0].is_zero() else self._signed(arguments[0], powers, case)
             return found if arguments[1] < 0 else None
-        inside = [a - b for a, b in zip(one, other, strict=True)]
+        inside = list(map(sub, one, other))
         ends = INTERVALS.functions["-"](ends, self.ranges[arguments[1]])
         return Choice(inside, ends, (one, other) if name == "max" else (other, one))
 
@@ -267,21 +267,27 @@ class Cases:
         """Give the value of a function by a number that is drawn where it is met first."""
         columns, kind = [case.slots[argument] for argument in arguments], kind_of(name)
         if name == "^" and arguments[0] in self.signed and self.ranges[arguments[0]][0] >= 0:
-            columns, kind, name = [[x.log() * power for x, power in zip(*columns, strict=True)]], "exponent", "exp"
+            columns, kind, name = [list(map(mul, self._logarithms(arguments[0], case), columns[1]))], "exponent", "exp"
         elif name in EXPONENTS:
             kind = "exponent"
         elif name == "macaulay" and arguments[1] < 0:
             columns, kind, orders = columns[:1], "step" if columns[1][0].is_zero() else "bracket", columns[1]
         found = self._known(kind, columns, case)
         if found is None:
-            found = self._number(AROUND_ONE if kind in OWN or name in SHIFTED else self.ranges[slot], slot)
+            values = AROUND_ONE if kind in OWN or name in SHIFTED else self.ranges[slot]
+            found = number_for(slot, values, self.points)
             case.known.append(Known(kind, columns, found))
             case.signs.extend([Signed(found, False)] if name == "sqrt" else ())
         if name in SHIFTED:
             return [arb.pi() / 2 - x for x in found]
         if kind == "bracket":
-            return [x**order for x, order in zip(found, orders, strict=True)]
+            return list(map(pow, found, orders))
         return [BALLS.function(name)(x) for x in found] if kind == "exponent" else found
+
+    def _logarithms(self, slot: int, case: Case) -> Column:
+        """Give the logarithms of a slot above zero: of an exponential its exponent."""
+        name, arguments = self._operation(slot) if slot >= len(self.program.inputs) else ("", ())
+        return case.slots[arguments[0]] if name == "exp" else [x.log() for x in case.slots[slot]]
 
     def _known(self, kind: str, columns: Sequence[Column], case: Case) -> Column | None:
         """Give the number of a function from that of another of its kind, if its arguments are multiples of those."""
@@ -307,18 +313,6 @@ class Cases:
                 if factor is not None and factor > 0:
                     return [factor.sqrt() * y / abs(x) for x, y in zip(column, root, strict=True)]
         return None
-
-    def _number(self, values: Interval, slot: int) -> Column:
-        """Draw a number for each point, as secret as the point; a large one would hide what is small."""
-        low, high = values
-        if low > REACH:
-            high = min(high, 2 * low)
-        elif high < -REACH:
-            low = max(low, 2 * high)
-        else:
-            low, high = max(low, -REACH), min(high, REACH)
-        shares = [(hash((point, slot)) % 2**52) / 2**52 for point in self.points]
-        return [arb(low + (high - low) * (0.1 + 0.8 * share)) for share in shares]
 
     def _ratio(self, one: Column, other: Column) -> Any:
         """Give the factor by which an argument is a multiple of another one; None where it is none."""
@@ -372,7 +366,7 @@ class Cases:
         low, high = self.ranges[arguments[0]]
         if name in ("asin", "acos"):
             return not -1 <= low <= high <= 1
-        return not (low >= 0 and (name == "sqrt" or self._thin(arguments[0], case)))
+        return not (low >= 0 and (name == "sqrt" or self._positive(arguments[0]) or self._thin(arguments[0], case)))
 
     def _thin(self, slot: int, case: Case) -> bool:
         """Tell whether a slot is zero nowhere but at single places."""

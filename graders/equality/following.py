@@ -36,6 +36,8 @@ def narrowed(
         signed: Slots that have one sign.
         points: Points of the box.
     """
+    if not found:
+        return where, []
     where = uncut(builder, where, slots, signed)
     kept = {slot for several in where.values() for slot, _ in several}.intersection(turn.slot for turn in found)
     ends = arcs(builder, where) & kept

@@ -9,7 +9,9 @@ from flint import arb
 
 from graders.equality.deciding import SMALL
 from graders.equality.signs import Column
+from graders.language.intervals import Interval
 from graders.language.program import Program
+from graders.states import Point
 
 AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at the ends of domains
     "sqrt": ((0, lambda: arb(0)),),
@@ -18,6 +20,7 @@ AT_EDGE: Mapping[str, Sequence[tuple[int, Callable[[], Any]]]] = {  # values at 
 }
 
 
+REACH = 2.0  # of drawn numbers, where the values of a function reach further
 ANGLES = {"asin": "asin", "acos": "asin", "atan": "atan", "acot": "atan", "atan2": "atan2"}
 
 
@@ -54,6 +57,19 @@ def of_other_angles(program: Program, sides: Sequence[Collection[int]]) -> bool:
 def kind_of(name: str) -> str:
     """Give the function by which another one is known: an arccosine by the arcsine."""
     return SHIFTED.get(name, name)
+
+
+def number_for(slot: int, values: Interval, points: Sequence[Point]) -> Column:
+    """Draw a number for a slot at each point, as secret as the point; a large one would hide what is small."""
+    low, high = values
+    if low > REACH:
+        high = min(high, 2 * low)
+    elif high < -REACH:
+        low = max(low, 2 * high)
+    else:
+        low, high = max(low, -REACH), min(high, REACH)
+    shares = [(hash((point, slot)) % 2**52) / 2**52 for point in points]
+    return [arb(low + (high - low) * (0.1 + 0.8 * share)) for share in shares]
 
 
 def at_edge(name: str, column: Column) -> Any:

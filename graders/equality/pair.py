@@ -179,7 +179,8 @@ class Pair:
     @property
     def values(self) -> int:
         """The number of points at which one of the two has a value."""
-        return sum(any(map(math.isfinite, row[:2])) for row in self.rows)
+        finite = math.isfinite
+        return sum([finite(row[0]) or finite(row[1]) for row in self.rows])
 
     def at_once(self) -> Comparison | None:
         """Give a difference that the very first point proves, or equality in every case: most answers end here."""
@@ -383,7 +384,7 @@ def _nudged(x: float, domain: Domain) -> float:
 def _far(row: Row) -> float:
     """Give the relative difference in doubles; what doubles cannot tell is worth a look first."""
     right, typed = row[0], row[1]
-    difference, scale = abs(right - typed), max(abs(right), abs(typed))
-    if not math.isfinite(difference):
-        return BLIND
-    return difference / scale if scale else 0.0
+    if right == typed:
+        return 0.0 if right - typed == 0 else BLIND
+    difference = abs(right - typed)
+    return difference / max(abs(right), abs(typed)) if difference < math.inf else BLIND

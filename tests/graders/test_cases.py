@@ -39,6 +39,7 @@ def found(a: str, b: str) -> set[Finding]:
         ("r*z - r*<z - x>^1", "min(r*z; r*x)"),
         ("z + acos(sin(c)^2 + cos(c)^2)", "z"),
         ("tanh(40*c)", "1 - 2/(exp(80*c) + 1)"),
+        ("r*exp(-90*x*y)", "r*exp(-90*x)^y"),
         ("sqrt(x*y)", "sqrt(x)*sqrt(y)"),
     ],
 )
