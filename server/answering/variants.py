@@ -35,6 +35,7 @@ USED = timedelta(days=1)  # how exactly the last use is noted; a variant expires
 SEED_RANGE = dealing.MAX_SEED
 PRESENTED: TypeAdapter[presenting.Presented] = TypeAdapter(presenting.Presented)
 
+SPACE, DEGREE = '<mspace width=".2em"/>', "°"  # between a number and its unit, and the unit that stands close
 KEPT = 512  # variants whose pages need not be drawn again
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["variants"])
 GONE: dict[int | str, dict[str, Any]] = {404: {"model": Failure}, 410: {"model": Failure}}
@@ -337,7 +338,7 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
         return Understood(ok=False, code=read.code, message=message(read, language), position=position)
     unit = printed_unit(read.unit or "", language)
     mathml = (
-        read.mathml.replace("</math>", f'<mspace width=".2em"/><mtext>{escape(unit)}</mtext></math>')
+        read.mathml.replace("</math>", f"{'' if unit == DEGREE else SPACE}<mtext>{escape(unit)}</mtext></math>")
         if unit
         else breakable(read.mathml)
     )

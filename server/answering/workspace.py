@@ -39,7 +39,7 @@ LOOKS = {  # the template of a kind's field
     "choice": "choice", "choices": "choices", "ordering": "ordering", "diagram": "diagram", "expression": "formula",
     **dict.fromkeys(forms.GRIDS, "grid"), **dict.fromkeys(LONG, "lines"),
 }  # fmt: skip
-SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])")  # not after an ordinal: "od 8. znaku"
+SENTENCE_END = re.compile(r"(?<=[^\d]\.) (?=[^\W\d_])|(?<=\d\.) (?=[A-ZĄĆĘŁŃÓŚŹŻА-ЯЁ])")  # not after "od 8. znaku"
 
 
 @dataclass(frozen=True, slots=True)

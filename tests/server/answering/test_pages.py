@@ -13,6 +13,7 @@ from exercises import catalogue, grading
 from exercises.presenting import words_of
 from exercises.solving import solved
 from exercises.variants import deal as dealt_by_hand
+from server.answering.workspace import SENTENCE_END
 from server.app import create_app
 from tests.conftest import Laid
 from tests.server.conftest import SECRET
@@ -213,3 +214,15 @@ def test_nothing_is_called_wrong_that_was_not_judged(
     heading = re.search(r'<h2 id="result"[^>]*>(.*?)</h2>', page)
     assert heading is not None and heading[1] == said
     assert ("not checked yet" in page) == said.startswith("Not judged")
+
+
+@pytest.mark.parametrize(
+    ("message", "first"),
+    [
+        ("Not read: an end at character 5. No attempt was counted.", "Not read: an end at character 5."),
+        ("Nie odczytano od 8. znaku. Próby nie liczymy.", "Nie odczytano od 8. znaku."),
+        ("Не прочитано с 8. Попытка не засчитана.", "Не прочитано с 8."),
+    ],
+)  # fmt: skip
+def test_the_first_sentence_of_a_verdict_is_its_headline(message: str, first: str) -> None:
+    assert SENTENCE_END.split(message, maxsplit=1)[0] == first

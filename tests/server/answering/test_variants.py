@@ -142,6 +142,14 @@ def test_a_preview_says_what_was_understood_with_its_unit(client: TestClient, de
     assert formula["ok"] and formula["mathml"].startswith("<math>") and formula["unit"] is None
 
 
+def test_a_degree_stands_close_to_its_number_and_other_units_do_not(
+    client: TestClient, deal: Callable[..., str]
+) -> None:
+    number = deal()
+    assert preview(client, number, "alpha2", "-10 deg")["mathml"].endswith("</mrow><mtext>°</mtext></math>")
+    assert '<mspace width=".2em"/><mtext>mm' in preview(client, number, "l3", "12 mm")["mathml"]
+
+
 @pytest.mark.parametrize(("language", "word"), [("pl", "Nie odczytano"), ("en", "Not read"), ("ru", "Не прочитано")])
 def test_a_preview_says_where_reading_ended(
     client: TestClient, deal: Callable[..., str], language: str, word: str

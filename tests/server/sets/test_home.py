@@ -6,7 +6,7 @@ import re
 
 from exercises.grading import reference
 from server.sets import handing
-from tests.server.sets.conftest import Course, moment
+from tests.server.sets.conftest import EXERCISE, Course, moment
 
 
 def section(course: Course, name: str) -> str:
@@ -40,6 +40,7 @@ def test_the_set_that_is_due_next_is_gone_on_with_by_one_button(course: Course) 
     assert "Later" in section(course, "next")
     assert f'<a href="/variants/{variant}">Sooner, task 1</a>' in section(course, "results")
     assert "10 / 10" in section(course, "results") and "1 of 1" in section(course, "sets")
+    assert 'class="pip v-right"' in section(course, "results")
     for number in (later, sooner):
         course.move(number, hours=1)
 
@@ -50,6 +51,16 @@ def test_what_is_not_wholly_right_waits_until_the_attempts_are_used_up(course: C
     assert "Twice" in section(course, "next") and "0 of 1 tasks finished, 8 of 10 points" in section(course, "next")
     answer(course, number, l3="2 m")
     assert not section(course, "next") and "8 / 10" in section(course, "results")
+    assert 'class="pip v-partly"' in section(course, "results")
+
+
+def test_a_scale_shows_how_many_tasks_of_the_next_set_are_finished(course: Course) -> None:
+    items = [{"exercise": EXERCISE, "points": 10, "attempts": 2}] * 3
+    number = course.published(title="Three", items=items)
+    answer(course, number)
+    drawn = re.findall(r'<path[^>]* d="([^"]+)"', section(course, "next"))
+    assert drawn == ["M0 14H3M0 8V20M1 8V20M2 8V20M3 8V20", "M0 14H1"]
+    course.move(number, hours=1)
 
 
 def test_a_set_past_due_that_is_still_taken_is_no_set_without_a_deadline(course: Course) -> None:
