@@ -186,12 +186,14 @@ def _diagnose(judged: Judged, equation: Equation) -> None:
         return
     typed = values(equation.difference, judged.free)
     own, mended = judged.closure(equation.loop)
-    for walked in (mended,) if own == mended else (mended, own):
-        parts = parts_of(judged.drawn, walked, equation.axis, 0, judged.free) if walked else None
-        found = diagnose(typed, parts, place, PAIRS if len(judged.flaws) < SEARCHED else 0)
-        if found:
-            judged.flaws += found
-            return
+    walks = [walked for walked in ((mended,) if own == mended else (mended, own)) if walked]
+    terms = [parts_of(judged.drawn, walked, equation.axis, 0, judged.free) for walked in walks]
+    for pairs in dict.fromkeys((0, PAIRS if len(judged.flaws) < SEARCHED else 0)):  # one slip explains more than two
+        for parts in terms:
+            found = diagnose(typed, parts, place, pairs)
+            if found:
+                judged.flaws += found
+                return
     judged.flaws.append(Flaw(Code.WRONG_PROJECTION, "", place))
 
 
