@@ -72,14 +72,6 @@ class Samples:
     unreadable: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
-    """The rule by which numbers are compared; the help text at the field is made from it. SI units."""
-
-    rtol: float
-    atol: float
-
-
 @runtime_checkable
 class Grader(Protocol):
     """A judge of one answer. `step` names the step it asks for (empty: the step named like the answer)."""

@@ -11,6 +11,7 @@ from cli.reading import LARGEST, LONGEST
 from graders import Outcome
 from tests.docs import (
     api_reference,
+    benchmark_reference,
     command_reference,
     language_reference,
     mechanics_reference,
@@ -26,6 +27,7 @@ DOCS = api_reference.ROOT / "docs"
     ("page", "written"),
     [
         (api_reference.PAGE, api_reference.page),
+        (benchmark_reference.PAGE, benchmark_reference.page),
         (command_reference.PAGE, command_reference.page),
         (language_reference.PAGE, language_reference.page),
         (mechanics_reference.PAGE, mechanics_reference.page),
@@ -33,7 +35,7 @@ DOCS = api_reference.ROOT / "docs"
         (solver_reference.PAGE, solver_reference.page),
         (systems_reference.PAGE, systems_reference.page),
     ],
-    ids=["api", "commands", "language", "mechanics", "security", "solvers", "systems"],
+    ids=["api", "benchmarks", "commands", "language", "mechanics", "security", "solvers", "systems"],
 )
 def test_a_written_page_is_up_to_date(page: Path, written: Callable[[], str]) -> None:
     assert page.read_text("utf-8") == written(), f"write {page.name} again: see its first lines"
