@@ -9,6 +9,7 @@ from contextlib import contextmanager
 
 from cli.problems import Unusable
 from server.backup import BackupError
+from server.database.engine import UNANSWERED
 from server.migrate import MigrationError
 from server.settings import Settings, SettingsError, from_environment
 
@@ -27,8 +28,10 @@ def settings(options: Namespace) -> Settings:
 
 @contextmanager
 def usable() -> Iterator[None]:
-    """Turn settings that the server refuses into unusable input."""
+    """Turn settings that the server refuses, and a store that does not answer, into unusable input."""
     try:
         yield
+    except UNANSWERED as error:
+        raise Unusable("unanswered", why=error) from error
     except (SettingsError, MigrationError, BackupError) as error:
         raise Unusable("settings", why=error) from error

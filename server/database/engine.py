@@ -6,7 +6,11 @@ from sqlite3 import Connection as SQLiteConnection
 from typing import Any
 
 from sqlalchemy import Connection, Engine, create_engine, event, make_url
+from sqlalchemy.exc import OperationalError
 
+from server.storage import StorageUnavailable
+
+UNANSWERED = (OperationalError, StorageUnavailable)  # what is raised where a store does not answer
 BUSY = 10_000  # ms to wait for another process's lock
 READERS = 4  # threads and connections that read
 

@@ -47,6 +47,16 @@ def test_a_database_of_another_kind_is_unusable(
     assert code == 2 and "must begin with postgresql://" in err
 
 
+@pytest.mark.parametrize("command", ["worker", "migrate", "audit", "user reset", "erase --person 1 --yes"])
+def test_a_database_that_does_not_answer_is_no_fault_of_the_program(
+    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("DATABASE_URL", "postgresql://somebody:hidden@127.0.0.1:1/x")
+    code, out, err = run(capsys, *command.split())
+    assert (code, out) == (2, "") and err.startswith("grubler: the store does not answer: ")
+    assert err.count("\n") == 1 and "hidden" not in err
+
+
 def test_a_token_holds_the_role_under_the_secret_of_the_environment(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
