@@ -6,7 +6,10 @@ the same equations, differentiated by the arithmetic of jets. Of the reference o
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import reduce
+from itertools import product
 
 from exercises import catalogue, solving
 from exercises.exercise import Variant
@@ -17,7 +20,8 @@ from figures.machine import Machine
 from figures.picture import Picture, Table, Words
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError
-from graders.polygon.drawn import Drawn
+from graders.language.tree import Binary, Call, Name, Unary, names
+from graders.polygon.drawn import Drawn, Vector
 from graders.polygon.jets import Trio, jet
 from graders.words import decimal, printed_unit
 
@@ -25,6 +29,8 @@ POINTS = 41
 TURNS = 30  # of Newton's method
 SMALL = 1e-12
 UNITS = (("m", "f-pos"), ("m/s", "f-vel"), ("m/s^2", "f-acc"))  # with the style of the line
+ROUND = (-2.6, -1.4, -0.3, 0.3, 1.4, 2.6)  # rad, where a sought angle may begin
+SIZE = 0.3  # m, where a sought length does
 Pair = tuple[float, float]
 
 
@@ -36,21 +42,68 @@ def own_motion(variant: Variant, drawn: Drawn) -> dict[str, tuple[Trio, ...]]:
         return {}
     machine, values = exercise.machine(variant.givens), numbers(variant.givens)
     derived = [(name, parse_line(line)) for name, line in solved.reference("polygon").derived]
-    found: list[dict[str, Trio]] = []
-    at = _start(solved.values, sought)
+    plotted = _coordinates(machine, drawn, sought)
+    truth = {name: float(value) for name, value in solved.values.items() if isinstance(value, float | int)}
+    found: dict[str, list[Trio]] = {name: [] for name in plotted}
     try:
+        at = _begun(
+            trees, sought, _known(machine, values, derived, 0.0), plotted, _guesses(drawn, sought, truth), truth
+        )
         for k in range(POINTS):
             known = _known(machine, values, derived, machine.span * k / (POINTS - 1))
             at = _placed(trees, sought, known, at)
-            found.append(known | _moving(trees, sought, known, at))
-        return {one.name: tuple(row[one.name] for row in found) for one in machine.plotted}
+            moving = known | _moving(trees, sought, known, at)
+            for name, tree in plotted.items():
+                found[name].append(jet(tree, moving))
+        return {name: tuple(row) for name, row in found.items()}
     except (UndefinedError, KeyError, ZeroDivisionError):
         return {}
 
 
-def _start(values: Mapping[str, object], sought: Sequence[str]) -> Pair:
-    first, second = (value if isinstance(value := values.get(name), float) else 0.1 for name in sought)
-    return first, second
+def _coordinates(machine: Machine, drawn: Drawn, sought: Sequence[str]) -> dict[str, Tree]:
+    """Write what is plotted: the sum of the vectors of sought lengths, whatever they are called; else its own name."""
+    closing = [one for one in drawn.vectors if names(one.length).intersection(sought)]
+    found: dict[str, Tree] = {one.name: Name(one.name) for one in machine.plotted}
+    for one in machine.plotted if closing else ():
+        found[one.name] = reduce(
+            lambda left, right: Binary("+", left, right), (_along(v, one.axis, machine) for v in closing)
+        )
+    return found
+
+
+def _along(vector: Vector, axis: str, machine: Machine) -> Tree:
+    """Project a vector, taken towards the last node: nodes lead there by the alphabet, its foot stands before it."""
+    last = machine.links[-1].end
+    start, end = ((node == last, node) for node in (vector.start, vector.end))
+    part = Binary("*", vector.length, Call("cos" if axis == "x" else "sin", (vector.angle,)))
+    return part if end >= start else Unary("-", part)
+
+
+def _guesses(drawn: Drawn, sought: Sequence[str], truth: Mapping[str, float]) -> Iterator[Pair]:
+    """Give where the search may begin: at the truth where a name is that of the task, else all round or at a length."""
+    angles = {name for vector in drawn.vectors for name in names(vector.angle)}
+    first, second = ([truth[name]] if name in truth else ROUND if name in angles else [SIZE] for name in sought)
+    yield from product(first, second)
+
+
+def _begun(
+    trees: Sequence[Tree], sought: Sequence[str], known: Mapping[str, Trio], plotted: Mapping[str, Tree],
+    guesses: Iterable[Pair], truth: Mapping[str, float],
+) -> Pair:  # fmt: skip
+    """Solve the projections at the start from several guesses, and keep the assembly nearest to the true one.
+
+    Raises:
+        UndefinedError: They have no solution there.
+    """
+    found: list[tuple[float, Pair]] = []
+    for guess in guesses:
+        with suppress(UndefinedError, ZeroDivisionError):
+            at = _placed(trees, sought, known, guess)
+            here = {**known, **{name: (value, 0.0, 0.0) for name, value in zip(sought, at, strict=True)}}
+            found.append((sum(abs(jet(tree, here)[0] - truth[name]) for name, tree in plotted.items()), at))
+    if not found:
+        raise UndefinedError("the projections have no solution here")
+    return min(found)[1]
 
 
 def _known(

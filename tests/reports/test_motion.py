@@ -43,6 +43,39 @@ def test_right_projections_begin_as_the_oracle_says_and_their_rates_are_slopes(e
             assert max(abs(s - row[order + 1]) for s, row in zip(slopes, rows[1:], strict=False)) < 0.05 * largest
 
 
+ARM = "l1: A > B, l_AB, Theta1\nl2: B > C, l_BC, alpha2\nl3: C > D, h3, alpha3\n"
+CHAIN = "l_AB*{0}(Theta1) + l_BC*{0}(alpha2) + h3*{0}(alpha3)"
+OWN_NAMES = {
+    "one vector to the gripper": (
+        "tmm2_oop",
+        f"{ARM}r: A > D, r_D, phi\nclosure: l1 + l2 + l3 - r = 0\nx: {CHAIN.format('cos')} - r_D*cos(phi) = 0\n"
+        f"y: {CHAIN.format('sin')} - r_D*sin(phi) = 0\nunknowns: r_D; phi",
+    ),
+    "one vector back from it": (
+        "tmm2_oop",
+        f"{ARM}r: D > A, r_D, phi\nclosure: l1 + l2 + l3 + r = 0\nx: {CHAIN.format('cos')} + r_D*cos(phi) = 0\n"
+        f"y: {CHAIN.format('sin')} + r_D*sin(phi) = 0\nunknowns: phi; r_D",
+    ),
+    "the rod backwards": (
+        "slider_crank_polygon",
+        "l1: A > B, l1, alpha1\nl2: C > B, l2, beta\ns: C > A, s, 180°\nclosure: l1 - l2 + s = 0\n"
+        "x: l1*cos(alpha1) - l2*cos(beta) - s = 0\ny: l1*sin(alpha1) - l2*sin(beta) = 0\nunknowns: beta; s",
+    ),
+}
+
+
+@pytest.mark.parametrize(("exercise", "text"), OWN_NAMES.values(), ids=OWN_NAMES)
+def test_own_names_and_senses_of_the_vectors_give_the_same_plots(exercise: str, text: str) -> None:
+    task = deal(exercise, 7)
+    drawn = typed_polygon(task, text)
+    assert drawn is not None
+    own, right = own_motion(task, drawn), own_motion(task, polygon(exercise))
+    assert set(own) == set(right) != set()
+    for name, rows in right.items():
+        for row, other in zip(rows, own[name], strict=True):
+            assert other == pytest.approx(row, rel=1e-6, abs=1e-6)
+
+
 def test_wrong_projections_move_their_own_way_and_insoluble_ones_not_at_all() -> None:
     task = deal("tmm2_oop", 7)
     wrong = own_motion(task, polygon("tmm2_oop", "l_AB*cos(Theta1) +", "l_AB*sin(Theta1) +"))
