@@ -15,6 +15,7 @@ from server.answering import forms
 from server.bench import Bench, Tools
 from server.courses import api as courses
 from server.courses.api import HERE, ShownCourse, here
+from server.marks.export import inert
 from server.people import identity
 from server.people.api import Strict
 from server.policy import may_replace, may_reset
@@ -157,12 +158,13 @@ async def links_for_all(bench: Bench, reader: Reader) -> list[LinkFor]:
 
 
 def table(language: str, links: list[LinkFor]) -> bytes:
-    """Write links as CSV for a spreadsheet of the language; names never begin with the sign of a formula."""
+    """Write links as CSV for a spreadsheet of the language; no cell can become a formula."""
     written = io.StringIO()
     writer: Any = csv.writer(written, delimiter="," if language == "en" else ";")
     heads = ("people.login", "people.name", "courses.group", "courses.invite")
     writer.writerow([say(language, head) for head in heads])
-    writer.writerows([one.login or "", one.name, one.group or "", one.link] for one in links)
+    cells = ((one.login or "", one.name, one.group or "", one.link) for one in links)
+    writer.writerows(map(inert, row) for row in cells)
     return written.getvalue().encode("utf-8-sig")
 
 

@@ -8,7 +8,7 @@ import io
 import pytest
 
 from server.courses import rosters
-from server.people import identity
+from server.people import access, identity
 from server.web.errors import Refused
 from tests.server.school import School
 
@@ -45,3 +45,9 @@ def test_a_name_with_separators_and_quotes_stays_one_cell(school: School) -> Non
         rows = list(csv.reader(io.StringIO(table), delimiter=separator))
         assert rows[1][:3] == ["4001", awkward, "A,B;C"] and len(rows[1]) == 4
         assert not [cell for row in rows for cell in row if cell[:1] in ("=", "+", "-", "@", "\t", "\r")]
+
+
+def test_a_name_in_full_width_signs_is_no_formula_in_the_table_of_links() -> None:
+    wide = access.LinkFor(link="https://lab/links/x", person="P", login="＝1+1", name="＝HYPERLINK(1)", group="＋1")
+    _, row = csv.reader(io.StringIO(access.table("pl", [wide]).decode("utf-8-sig")), delimiter=";")
+    assert row == ["'＝1+1", "'＝HYPERLINK(1)", "'＋1", "https://lab/links/x"]
