@@ -21,7 +21,7 @@ from flint import arb
 from graders.equality.deciding import PRECISIONS, Finding, exactly, same, share_of, zero
 from graders.equality.multiples import SHIFTED, Known, at_edge, kind_of, multiple, number_for
 from graders.equality.signs import Column, Screened, Signed, implied, screened
-from graders.equality.turns import EXPONENTS
+from graders.equality.turns import EXPONENTS, POLES
 from graders.language.balls import BALLS, precision
 from graders.language.doubles import UndefinedError
 from graders.language.intervals import ALL, INTERVALS, Interval, side_of_zero
@@ -36,7 +36,6 @@ ENDING = frozenset(("/", "tan", "cot", "macaulay", "log_base"))  # these may end
 UNENDED = CHOOSING | EXPONENTS | {"atan", "acot"}  # these have a value everywhere
 BEYOND = frozenset(("sqrt", "ln", "log"))  # these have none below zero
 OWN = ("exponent", "bracket")  # the numbers drawn for these stand for something else than their values
-POLES = frozenset(("/", "tan", "cot"))
 AROUND_ONE: Interval = (0.5, 1.5)
 NOTHING = 1e-6  # of a product: a greater difference is one in doubles
 
@@ -97,13 +96,14 @@ class Cases:
         self.program, self.sides, self.points, self.mutual = program, sides, points, mutual
         self.turning, self.left = turning, WORK
         self.ranges = ranges or [ALL] * (len(program.inputs) + len(program.operations) + len(program.literals))
-        self.operations = list(enumerate(program.operations, len(program.inputs)))
-        self.steep = any(slot in turning and name in EXPONENTIAL for slot, (name, _) in self.operations)
+        operations, first = program.operations, len(program.inputs)
+        self.steep = any(operations[slot - first][0] in EXPONENTIAL for slot in turning)
         self.loose = set[int]()  # slots that stand on drawn numbers
         self.chosen = set[int]()  # slots that stand on these or on what was chosen
         self.special = set[int]()  # slots of functions that choose or are drawn
         self.steady = list[Screened]()
-        for slot, (name, arguments) in self.operations:
+        ordered: list[list[tuple[int, Operation]]] = [[], [], []]  # what stands on what is drawn or chosen comes last
+        for slot, (name, arguments) in enumerate(operations, first):
             drawn, chooses = self._is_drawn(name, slot), parted and name in CHOOSING
             if drawn or chooses:
                 self.special.add(slot)
@@ -111,7 +111,8 @@ class Cases:
                 self.loose.add(slot)
             if chooses or slot in self.loose or not self.chosen.isdisjoint(arguments):
                 self.chosen.add(slot)
-        self.operations.sort(key=lambda one: (one[0] in self.loose) + (one[0] in self.chosen))
+            ordered[(slot in self.loose) + (slot in self.chosen)].append((slot, (name, arguments)))
+        self.operations = [*ordered[0], *ordered[1], *ordered[2]]
         self.plain = {slot: BALLS.function(name) for slot, (name, _) in self.operations if slot not in self.special}
         self.heads = {arguments[0] for name, arguments in program.operations if name in CHOOSING}
 

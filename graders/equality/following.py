@@ -26,7 +26,7 @@ def narrowed(
     builder: Builder, where: Places, found: Sequence[Turn], slots: Sequence[Interval], signed: Collection[int],
     points: Sequence[Point],
 ) -> tuple[Places, list[Turn]]:  # fmt: skip
-    """Leave out directions that are never cut, and arcs whose ends are never reached.
+    """Leave out directions that are never cut, and arcs of one side whose ends are never reached.
 
     Args:
         builder: Holds the functions.
@@ -40,7 +40,7 @@ def narrowed(
         return where, []
     where = uncut(builder, where, slots, signed)
     kept = {slot for several in where.values() for slot, _ in several}.intersection(turn.slot for turn in found)
-    ends = arcs(builder, where) & kept
+    ends = arcs(builder, where).intersection(turn.slot for turn in found if turn.right is not turn.typed) & kept
     if ends:
         turning = [at for at, several in where.items() if any(slot in kept for slot, _ in several)]
         kept -= unreached(builder.program(*ends), ends, signed, turning, points)

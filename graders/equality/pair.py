@@ -27,7 +27,7 @@ from graders.states import INSIDE, Point
 CASES = 3  # points that settle one case of what turns
 FEW = 3  # points that settle two analytic formulas
 POINTS = 4  # that balls settle where something turns
-GLANCE = 9  # points at which doubles look for a difference before cases are gone through
+GLANCE = 6  # points at which doubles look for a difference before cases are gone through
 WORST = 2  # points at which doubles see the greatest difference, asked before anything is searched
 NEW = 8  # points with signs that were not met before, asked before anything more is searched
 FIRST = (0, INSIDE, INSIDE + 1, 1)  # points that are asked first: inside, two corners, inside

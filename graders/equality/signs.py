@@ -39,14 +39,14 @@ def implied(inside: Column, known: Sequence[Signed], others: Sequence[Screened])
             a[2] * values[0] - a[0] * values[2],
             a[0] * values[1] - a[1] * values[0],
         )
-        for second, b in two[at + 1 :]:
-            p, q, r = x * b[0], y * b[1], z * b[2]
-            found = None
-            if abs(p + q + r) <= FLAT * (abs(p) + abs(q)):
+        over, under = values[0] * a[1], values[1] * a[0]
+        for second, (b, c, d) in two[at + 1 :]:
+            p, q, found = x * b, y * c, None
+            if abs(p + q + z * d) <= FLAT * (abs(p) + abs(q)):
                 found = _of_sum(inside, first, second)
-            elif _flat(values[0] * a[1] * b[1], values[1] * a[0] * b[0]):
+            elif abs(over * c - under * b) <= FLAT * abs(over * c):
                 found = _of_product(inside, first, second, _times)
-            elif _flat(values[0] * a[1] * b[0], values[1] * a[0] * b[1]):
+            elif abs(over * b - under * c) <= FLAT * abs(over * b):
                 found = _of_product(inside, first, second, _over)
             if found is not None:
                 return found
@@ -61,11 +61,6 @@ def screened(signed: Signed) -> Screened:
 def doubles(column: Column) -> list[float]:
     """Give the values of a column at the first three points in doubles."""
     return [float(x) for x in column[:3]]
-
-
-def _flat(one: float, other: float) -> bool:
-    """Tell whether two products are one, as far as doubles tell."""
-    return abs(one - other) <= FLAT * abs(one)
 
 
 def _of_sum(inside: Column, one: Signed, other: Signed) -> bool | None:

@@ -15,6 +15,7 @@ from graders.language.tree import Number
 BRANCHES = frozenset(("abs", "sign", "macaulay"))  # the sign of the argument chooses the function
 EDGES = frozenset(("sqrt", "root", "ln", "log", "log_base"))  # beyond zero there is no value, at zero a branch point
 WRAPPING = frozenset(("atan", "acot"))  # a pole inside is a jump
+POLES = frozenset(("/", "tan", "cot"))
 SUMS = frozenset(("+", "-", "negate", "degrees"))  # what turns in their parts does not act on one another
 MOST_GROUPS, LARGEST = 24, 3  # sets of turns that are kept apart, and the turns of one
 TURNING = BRANCHES | EDGES | WRAPPING | {"min", "max", "atan2", "asin", "acos", "^"}
@@ -57,8 +58,9 @@ def places(builder: Builder) -> Places:
     if not any(name in TURNING for name, _ in operations):
         return {}
     wraps = any(name in WRAPPING for name, _ in operations)
-    every = ((at, _places(builder, operation, wraps)) for at, operation in enumerate(operations, len(builder.inputs)))
-    return {at: found for at, found in every if found}
+    names = TURNING | POLES if wraps else TURNING
+    every = [(at, one) for at, one in enumerate(operations, len(builder.inputs)) if one[0] in names]
+    return {at: found for at, one in every if (found := _places(builder, one))}
 
 
 def turns(where: Places, sides: Sequence[Collection[int]]) -> list[Turn]:
@@ -158,7 +160,7 @@ def arcs(builder: Builder, where: Places) -> set[int]:
     return {slot for slot, edge in found if edge}
 
 
-def _places(builder: Builder, operation: Operation, wraps: bool) -> tuple[Place, ...]:
+def _places(builder: Builder, operation: Operation) -> tuple[Place, ...]:
     name, arguments = operation
     if name == "macaulay" and arguments[1] >= 0:  # there is no value where its order is negative
         return (arguments[0], False), (arguments[1], True)
@@ -175,9 +177,9 @@ def _places(builder: Builder, operation: Operation, wraps: bool) -> tuple[Place,
         if function in ("sin", "cos"):  # acos(cos(x)) turns where cos(x) does
             return ((builder.apply("cos" if function == "sin" else "sin", *angle), False),)
         return ((builder.apply("-", builder.add(ONE), builder.apply("power2", *arguments)), True),)
-    if wraps and name == "/":
+    if name == "/":
         return ((arguments[1], False),)
-    if wraps and name in ("tan", "cot"):
+    if name in ("tan", "cot"):
         return ((builder.apply("cos" if name == "tan" else "sin", *arguments), False),)
     return ()
 
