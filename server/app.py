@@ -15,7 +15,7 @@ from starlette.routing import Mount
 
 from exercises import catalogue
 from server import audit_log, comparing, exercises, policy, solving
-from server.answering import drafts, hints, pages, problems, reports, submissions, variants
+from server.answering import drafts, hints, pages, previews, problems, reports, submissions, variants
 from server.answering.judging import Judging, JudgingThread
 from server.bench import Bench
 from server.courses import api as courses
@@ -55,6 +55,7 @@ ROUTERS = (
     metrics.router,
     exercises.router,
     variants.router,
+    previews.router,
     submissions.router,
     drafts.router,
     hints.router,

@@ -11,9 +11,9 @@ from exercises.exercise import Variant
 from exercises.presenting import Field
 from graders.language.mathml import symbol_mathml
 from server.answering import forms
+from server.answering.previews import Understood, as_typed, understood
 from server.answering.receipts import whole
 from server.answering.submissions import ByHand, Graded, Judged
-from server.answering.variants import Understood, as_typed, understood
 from server.bench import Bench
 from server.web.errors import Refused
 
