@@ -54,20 +54,20 @@ def own_motion(variant: Variant, drawn: Drawn) -> dict[str, tuple[Trio, ...]]:
             at = _placed(trees, sought, known, at)
             moving = known | _moving(trees, sought, known, at)
             for name, tree in plotted.items():
-                found[name].append(jet(tree, moving))
+                found[name].append(moving[tree.name] if isinstance(tree, Name) else jet(tree, moving))
         return {name: tuple(row) for name, row in found.items()}
     except (UndefinedError, KeyError, ZeroDivisionError):
         return {}
 
 
 def _coordinates(machine: Machine, drawn: Drawn, sought: Sequence[str]) -> dict[str, Tree]:
-    """Write what is plotted: the sum of the vectors of sought lengths, whatever they are called; else its own name."""
+    """Write what is plotted: its own name where it is sought, else the sum of the vectors of sought lengths."""
     closing = [one for one in drawn.vectors if names(one.length).intersection(sought)]
     found: dict[str, Tree] = {one.name: Name(one.name) for one in machine.plotted}
     for one in machine.plotted if closing else ():
-        found[one.name] = reduce(
-            lambda left, right: Binary("+", left, right), (_along(v, one.axis, machine) for v in closing)
-        )
+        if one.name not in sought:
+            parts = (_along(vector, one.axis, machine) for vector in closing)
+            found[one.name] = reduce(lambda left, right: Binary("+", left, right), parts)
     return found
 
 
