@@ -40,14 +40,15 @@ function styleBack(root: ParentNode): void {
   }
 }
 
-/* The editor measures what it has just drawn, for the caret's place and for a selection: there the styles come at once. */
-function styledAtOnce(drawn: Element): void {
-  const plain = Object.getOwnPropertyDescriptor(Element.prototype, "innerHTML")!;
-  const set = (html: string): void => {
-    plain.set!.call(drawn, html);
-    styleBack(drawn);
+/* The editor looks for old marks of a selection in what it has just drawn, then measures it for new ones: the styles
+   are to be back by then, not a moment later. */
+function styledBeforeMeasured(drawn: Element): void {
+  const look = drawn.querySelectorAll.bind(drawn) as (selector: string) => NodeListOf<HTMLElement>;
+  const styled = (selector: string): NodeListOf<HTMLElement> => {
+    styleBack({ querySelectorAll: look } as ParentNode);
+    return look(selector);
   };
-  Object.defineProperty(drawn, "innerHTML", { get: () => plain.get!.call(drawn) as string, set });
+  Object.defineProperty(drawn, "querySelectorAll", { value: styled });
 }
 
 async function load(words: DOMStringMap): Promise<MathfieldElement> {
@@ -77,7 +78,7 @@ function asOneStop(visual: MathfieldElement, help: string, phrases: Phrases): vo
   const live = visual.shadowRoot?.querySelector("[aria-live]");
   if (live && typed) speakIn(phrases, live, typed, visual.getAttribute("aria-label") ?? "");
   const drawn = visual.shadowRoot?.querySelector("[part='content']");
-  if (drawn) styledAtOnce(drawn);
+  if (drawn) styledBeforeMeasured(drawn);
   visual.removeAttribute("tabindex"); // the element and what stands in it would be two stops
   visual.menuItems = [];
 }
@@ -99,13 +100,15 @@ function letOut(visual: MathfieldElement, field: TextField): void {
 /* A name has no sign of an operation in it: one typed in a subscript that `_` began stands behind the name. What
    stands in the subscript stays there: `Theta1` and `_d` is the rate of Theta1. */
 function leaveSubscripts(visual: MathfieldElement): void {
-  let inside = false;
+  let [inside, begun] = [false, false];
   const collapse = (): void => {
     if (!visual.selectionIsCollapsed) visual.position = Math.max(...visual.selection.ranges.flat());
   };
   const follow = ({ key }: KeyboardEvent): void => {
+    if (begun) collapse();
+    begun = key === "_";
     if (inside && OPERATIONS.includes(key)) visual.executeCommand("moveAfterParent");
-    if (key === "_") setTimeout(collapse);
+    if (begun) setTimeout(collapse);
     inside = key === "_" || (inside && (/^[\w]$/.test(key) || key === "Shift"));
   };
   visual.addEventListener("keydown", follow, { capture: true });

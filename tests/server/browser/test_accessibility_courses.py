@@ -204,7 +204,6 @@ def test_the_points_of_a_set_of_one_task_are_seen_on_a_phone(page: Page, campus:
         "course",
         "draft changed twice",
         "work of a student",
-        "item analysis",
         "changes of a regrade",
         "accounts",
     ],
