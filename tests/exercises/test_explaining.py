@@ -99,6 +99,13 @@ def test_a_number_is_told_by_the_figures_typed() -> None:
     assert handed_in(CRANK, v3=f"{wrong * 1.003:.5g}").slip is None
 
 
+@pytest.mark.parametrize(("variant", "name"), [(CRANK, "l3"), (CRANK, "v3")])
+def test_no_slip_is_read_out_of_nothing(variant: Variant, name: str) -> None:
+    """A line with a sine for a cosine may give nothing; who types it rather leaves the field empty."""
+    found = handed_in(variant, **{name: "0"})
+    assert (found.mistake, found.slip) == (None, None)
+
+
 def test_answers_in_each_others_fields_are_named() -> None:
     answers = reference(BEAM)
     assert handed_in(BEAM, R_A=answers["R_B"], R_B=answers["R_A"]).slip is CommonSlip.FIELDS_EXCHANGED
@@ -284,6 +291,20 @@ def test_a_reciprocal_of_an_exact_ratio_is_followed() -> None:
     found = handed_in(variant, **texts)
     assert found.verdicts["u0"].code is Code.INVERTED_RATIO
     assert found.verdicts["u"].code is found.verdicts["n_out"].code is Code.FOLLOWED
+
+
+def test_nothing_follows_from_no_angle_however_small_the_right_one_is() -> None:
+    """Only where things are counted may none stand for a few."""
+    values = solved(CRANK).again(fixed={"alpha2": 0.0})
+    found = handed_in(CRANK, alpha2="0", omega2=f"{values['omega2']} rad/s")
+    assert abs(value(CRANK, "alpha2")) < 3
+    assert found.verdicts["omega2"].outcome is Outcome.WRONG
+
+
+def test_a_wrong_formula_behind_a_wrong_number_does_not_follow_from_it() -> None:
+    found = handed_in(CRANK, alpha2="0.3 rad", omega2_formula="l1*omega1*cos(alpha1)/l2")
+    assert found.verdicts["omega2_formula"].code not in (Code.FOLLOWED, Code.RIGHT)
+    assert found.verdicts["omega2_formula"].outcome is Outcome.WRONG
 
 
 def test_numbers_follow_from_a_lost_branch() -> None:
