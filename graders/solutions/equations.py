@@ -35,6 +35,7 @@ from graders.solutions.scene import (
     extreme,
     used_symbols,
 )
+from graders.solutions.written import Written
 from graders.solutions.zeros import (
     NODES,
     Line,
@@ -92,8 +93,8 @@ def compare_equations(answer: Relation, reference: Relation, scene: Scene, unkno
     unknowns = frozenset((unknown,))
     with precision(BITS):
         try:
-            trees = [reduced(residual(equation), unknowns) for equation in (reference, answer)]
-            pair = Pair(scene, trees, scene.names.index(unknown))
+            written = [residual(equation) for equation in (reference, answer)]
+            pair = Pair(scene, written, [reduced(tree, unknowns) for tree in written], scene.names.index(unknown))
             return pair.known(pair.by_ratio() or pair.by_straight() or pair.by_zeros())
         except TooMuchWork:
             return UNDECIDED
@@ -117,16 +118,16 @@ class Factor:
 
 
 class Pair:
-    """The residuals of the reference and the answer over one scene."""
+    """The residuals of the reference and the answer over one scene, as they were written and without what may go."""
 
-    def __init__(self, scene: Scene, trees: Sequence[Tree], unknown: int) -> None:
+    def __init__(self, scene: Scene, written: Sequence[Tree], trees: Sequence[Tree], unknown: int) -> None:
         self.scene, self.trees, self.unknown = scene, trees, unknown
         self.name = scene.names[unknown]
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
         self.settled = dict[tuple[float, ...], list[Zero]]()  # zeros of both sides, by their lines
         self.both = Residuals(scene, [[tree] for tree in trees], Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
-        self.ratio = Ratio(self.both, unknown)
+        self.ratio, self.written = Ratio(self.both, unknown), Written(scene, written, trees, self.both.effort)
 
     @cached_property
     def numerators(self) -> Sequence[Tree]:
@@ -163,7 +164,8 @@ class Pair:
     def by_straight(self) -> Found | None:
         """Tell whether a zero of a side that is affine in the unknown is none of the other; None where none tells."""
         found = self.ratio.apart()
-        return None if found is None else self._apart(*found)
+        told = found is not None and not self.written.vanishes(1 - found[0], found[1])
+        return self._apart(*found) if found is not None and told else None
 
     def _apart(self, which: int, zero: Zero) -> Found:
         return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
@@ -184,6 +186,8 @@ class Pair:
         shared, unsure = [0, 0], False
         for which, zero in self._zeros():
             match Beside.ZERO if zero.both else beside(self.sides[1 - which], zero):
+                case Beside.OTHER if self.written.vanishes(1 - which, zero):
+                    unsure = True  # what went is zero there
                 case Beside.OTHER | Beside.UNDEFINED:
                     return self._apart(which, zero)
                 case Beside.ZERO:
@@ -201,14 +205,10 @@ class Pair:
     def _known(self, factor: Factor, base: Sequence[float]) -> list[Zero]:
         """Give the zeros on a line that both sides share, if this factor is all of its side and not zero elsewhere."""
         known, which = self.settled.get(tuple(base), []), factor.side.which
-        if not known or len(self.factors[which]) > 1 or (self._jumps and not self._plain(factor)):
+        if not known or len(self.factors[which]) > 1 or (not self._plain(factor) and jumps(self.both.program)):
             return []
         value = self.both.ball(exact(tuple(base)), which)
         return known if value is not None and not value.contains(0) else []
-
-    @cached_property
-    def _jumps(self) -> bool:
-        return jumps(self.both.program)
 
     def _zeros(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros of both sides: whole regions, along the unknown, all over the box, along whole lines."""
@@ -231,8 +231,9 @@ class Pair:
         return self.numerators[which] is not self.trees[which]
 
     def _holds(self, which: int, zero: Zero) -> bool:
-        """Tell whether a zero of a numerator is one of the side: it may be a pole."""
-        return zero.both or not self._fraction(which) or beside(self.sides[which], zero) is Beside.ZERO
+        """Tell whether a zero of a numerator or a factor is one of the side."""
+        parted = self._fraction(which) or len(self.factors[which]) > 1
+        return zero.both or not parted or self.written.holds(which, zero)
 
     def _sources(self) -> Iterator[Iterator[tuple[int, Zero]]]:
         points = self.scene.points

@@ -51,6 +51,7 @@ EQUAL = [
     ("y", "1e200*y = 1e200*a", "1e-200*y = 1e-200*a"),
     ("y", "y^40 = a^40", "|y| = a"),
     ("y", "(y - a)^3 + (y - a)^5 = 0", "y = a"),
+    ("y", "(y - a)*(sqrt(y - b) - a) = 0", "((y - a)*(sqrt(y - b) - a) - 0)/(1 + y^2) = 0"),
 ]
 DIFFERENT = [
     ("a2", "l1*sin(a1) + l2*sin(a2) = e", "l1*sin(a1) - l2*sin(a2) = e"),
@@ -78,6 +79,7 @@ DIFFERENT = [
     ("y", "1/(y - 5) + 1/a = 1/b", "y = 5 - a*b/(a - b)"),
     ("y", "(y - a)*(y - b) = 0", "y = a"),
     ("y", "y*sqrt(y - b) = a*sqrt(y - b)", "y = a"),
+    ("y", "(y - a)*(sqrt(y - b) - a) = 0", "(y - a)*(y - a^2 - b) = 0"),
 ]
 
 
@@ -123,6 +125,18 @@ def test_without_a_solution_in_the_box_nothing_is_proved(one: str, other: str) -
     assert compared("x", one, other).finding is Finding.UNDECIDED
 
 
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("3*(y*sin(a)) = 3*0", "y*sin(a) = 0"),
+        ("(a^2*y*<<3>^1>^2 - 0)*(2 + sin(x)) = 0", "a^2*y*<<3>^1>^2 = 0"),
+    ],
+)
+def test_where_a_factor_without_the_unknown_is_zero_the_same_equations_are_not_different(one: str, other: str) -> None:
+    assert compared("x", one, other).finding is not Finding.DIFFERENT
+    assert compared("x", other, one).finding is not Finding.DIFFERENT
+
+
 def test_a_root_that_few_values_of_the_others_bring_into_the_range_counts() -> None:
     ranges = {"l1": (0.04, 0.12), "l2": (0.2, 0.6), "a1": (0.0, 2 * pi), "s": (-0.16, 1.44)}  # 0.2 - 0.12 < 0.16
     scene = scene_of(tuple(ranges), tuple(ranges.values()), b"1085")
@@ -157,9 +171,10 @@ def test_a_root_counts_that_steps_do_not_close_in_on() -> None:
 def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
     unknown: str, one: str, other: str, most: int
 ) -> None:
-    trees = [reduced(residual(relation(text)), frozenset((unknown,))) for text in (one, other)]
+    written = [residual(relation(text)) for text in (one, other)]
+    trees = [reduced(tree, frozenset((unknown,))) for tree in written]
     with precision(BITS):
-        pair = Pair(SCENE, trees, SCENE.names.index(unknown))
+        pair = Pair(SCENE, written, trees, SCENE.names.index(unknown))
         pair.known(pair.by_ratio() or pair.by_straight() or pair.by_zeros())
     assert WORK - pair.both.effort.left < most
 
@@ -175,9 +190,10 @@ def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
 def test_a_zero_of_an_affine_side_tells_two_equations_apart_at_once(
     unknown: str, one: str, other: str, lost: bool
 ) -> None:
-    trees = [reduced(residual(relation(text)), frozenset((unknown,))) for text in (one, other)]
+    written = [residual(relation(text)) for text in (one, other)]
+    trees = [reduced(tree, frozenset((unknown,))) for tree in written]
     with precision(BITS):
-        pair = Pair(SCENE, trees, SCENE.names.index(unknown))
+        pair = Pair(SCENE, written, trees, SCENE.names.index(unknown))
         found = pair.by_straight()
     assert found is not None
     assert (found.finding, found.lost) == (Finding.DIFFERENT, lost)
