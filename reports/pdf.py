@@ -14,6 +14,7 @@ from reports.formulas.typst import quoted
 from reports.typst import source
 from reports.words import FOLDER
 
+DOTS = 220.0  # of a PNG, to the inch
 LOCK = Lock()  # the compiler is one, and it keeps what it has laid out
 
 
@@ -36,12 +37,12 @@ def _printed(text: bytes, standards: list[Literal["ua-1"]]) -> bytes:
     return made
 
 
-def png(svg: str, description: str, dots: float = 220.0) -> bytes:
+def png(svg: str, description: str) -> bytes:
     """Print one drawing as PNG, for word processors that show no SVG."""
     page = "#set page(width: auto, height: auto, margin: 2pt)\n"
     image = f'#image(bytes({quoted(on_paper(svg))}), format: "svg", alt: {quoted(description)})'
     with LOCK:
-        made = _compiler().compile((page + image).encode(), format="png", ppi=dots, timestamp=0)
+        made = _compiler().compile((page + image).encode(), format="png", ppi=DOTS, timestamp=0)
     assert isinstance(made, bytes)
     return made
 

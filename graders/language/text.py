@@ -25,10 +25,9 @@ def level(tree: Tree) -> int:
             return ATOM
 
 
-def number_text(number: Number, comma: bool = False) -> str:
-    """Write a literal, with a decimal comma if asked."""
-    digits = number.digits.replace(".", ",") if comma else number.digits
-    return f"{digits}e{number.exponent}" if number.exponent else digits
+def number_text(number: Number) -> str:
+    """Write a literal."""
+    return f"{number.digits}e{number.exponent}" if number.exponent else number.digits
 
 
 def text_of(tree: Tree) -> str:

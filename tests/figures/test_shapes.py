@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from figures import gears, joints, lines, loads, members, space
+from figures import joints, lines, loads, members, space
 from figures.canvas import Circle, Line, Piece, Strokes, Text, bounds
 from figures.label import point, symbol
 from figures.picture import Table
@@ -152,54 +152,6 @@ def test_things_in_a_row_move_apart_only_as_far_as_needed(wanted: list[float]) -
 def test_a_row_of_another_length_is_refused() -> None:
     with pytest.raises(ValueError, match="cells"):
         Table(("a", "b"), (("1",),))
-
-
-@given(st.integers(12, 80), angles)
-def test_a_tooth_takes_half_a_pitch_on_the_pitch_circle(teeth: int, turn: float) -> None:
-    for internal in (False, True):
-        gear = gears.Gear(0, teeth, 4, turn, internal)
-        assert gears.half_tooth(gear, gear.pitch_radius) == pytest.approx(pi / 2 / teeth)
-
-
-@given(st.integers(12, 40), st.integers(12, 40), angles, angles)
-def test_a_tooth_of_one_wheel_stands_in_the_gap_of_the_other(one: int, other: int, turn: float, towards: float) -> None:
-    driver = gears.Gear(0, one, 4, turn)
-    for internal in (False, True):
-        partner = gears.meshed(driver, one + other if internal else other, towards, internal)
-        contact = driver.pitch_radius * unit(towards)
-        assert abs(contact - partner.centre) == pytest.approx(partner.pitch_radius)
-        # arc from the pitch point back to a tooth of each, along the driver's counter-clockwise sense
-        first = ((towards - driver.turn) * driver.pitch_radius) % (4 * pi)
-        at = direction(partner.centre, contact)
-        second = ((at - partner.turn) * partner.pitch_radius * (1 if internal else -1)) % (4 * pi)
-        assert (first - second) % (4 * pi) == pytest.approx(2 * pi, abs=1e-6)
-
-
-def test_a_ring_must_be_larger_than_its_pinion() -> None:
-    with pytest.raises(ValueError, match="ring of 20"):
-        gears.meshed(gears.Gear(0, 20, 4), 20, 0, internal=True)
-
-
-def test_teeth_reach_from_root_to_tip() -> None:
-    for internal in (False, True):
-        gear = gears.Gear(0, 24, 4, internal=internal)
-        outline, pitch = gears.toothed(gear)
-        assert isinstance(outline, Line) and isinstance(pitch, Circle) and pitch.radius == 48
-        radii = [abs(at) for at in outline.points]
-        assert sorted((min(radii), max(radii))) == pytest.approx(sorted((gear.root_radius, gear.tip_radius)))
-    assert bounds(gears.plain(gear)).right == pytest.approx(48)
-    assert isinstance(gears.hub(gear)[0], Circle)
-
-
-def test_a_fixed_wheel_is_hatched_outside_over_a_third_of_its_rim() -> None:
-    for internal in (False, True):
-        gear = gears.Gear(0, 24, 4, internal=internal)
-        pairs = gears.rim_hatch(gear, 0).pairs
-        outer = gear.root_radius if internal else gear.tip_radius
-        assert all(abs(start) > outer and abs(end) > abs(start) for start, end in pairs)
-        assert direction(0, pairs[0][0]) == pytest.approx(-pi / 3) and direction(0, pairs[-1][0]) == pytest.approx(
-            pi / 3
-        )
 
 
 def test_projection_keeps_lengths_across_the_line_of_sight() -> None:

@@ -7,9 +7,9 @@ from exercises.strength._beam.lines import added
 from exercises.strength._beam.members import Loaded
 
 
-def bending(givens: Loaded, x: str = "x") -> str:
+def bending(givens: Loaded) -> str:
     """M from the left part, with brackets."""
-    return added(each(givens, lambda member: member.moment, x))
+    return added(each(givens, lambda member: member.moment))
 
 
 def deflection(givens: Loaded, x: str) -> str:
