@@ -98,10 +98,10 @@ class Cases:
         self.ranges = ranges or [ALL] * (len(program.inputs) + len(program.operations) + len(program.literals))
         operations, first = program.operations, len(program.inputs)
         self.steep = any(operations[slot - first][0] in EXPONENTIAL for slot in turning)
-        self.loose = set[int]()  # slots that stand on drawn numbers
-        self.chosen = set[int]()  # slots that stand on these or on what was chosen
-        self.special = set[int]()  # slots of functions that choose or are drawn
-        self.steady = list[Screened]()
+        self.loose: set[int] = set()  # slots that stand on drawn numbers
+        self.chosen: set[int] = set()  # slots that stand on these or on what was chosen
+        self.special: set[int] = set()  # slots of functions that choose or are drawn
+        self.steady: list[Screened] = []
         ordered: list[list[tuple[int, Operation]]] = [[], [], []]  # what stands on what is drawn or chosen comes last
         for slot, (name, arguments) in enumerate(operations, first):
             drawn, chooses = self._is_drawn(name, slot), parted and name in CHOOSING

@@ -26,7 +26,8 @@ def one_signed(program: Program, slots: Sequence[Interval], box: Sequence[Domain
         slots: The ranges of all slots on the box.
         box: The domains of the inputs.
     """
-    first, found = len(box), set[int]()
+    first = len(box)
+    found: set[int] = set()
     signs = Signs(program, slots, box, found)
     for slot in range(-len(program.literals), first + len(program.operations)):
         low, high = slots[slot]

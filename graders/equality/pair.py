@@ -121,7 +121,9 @@ class Pair:
     def _look(self) -> Turned:
         if self.smooth:
             return Turned(self.program, [], {}, frozenset(), [], frozenset(), frozenset())
-        where, slots, signed = places(self.builder) if self.turning else {}, list[Interval](), frozenset[int]()
+        where = places(self.builder) if self.turning else {}
+        slots: list[Interval] = []
+        signed: frozenset[int] = frozenset()
         found = turns(where, self.sides) if where else []
         if self.states.box:
             found, slots, signed = self._opened(found)
@@ -198,7 +200,7 @@ class Pair:
         found = self.at_once() or self._at_summits()
         if found is not None or not self.turns:
             return found or self._smooth()
-        places = list[Place]()
+        places: list[Place] = []
         for stage in self._stages():
             met = {pattern for _, pattern, _ in places}
             new = {pattern: point for point, pattern, _ in reversed(stage) if pattern not in met}
@@ -319,7 +321,9 @@ class Pair:
 
     def _settled(self, places: Sequence[Place]) -> Comparison:
         """Ask the balls, one point a pattern and four at least, until a difference is proved."""
-        settled, unsure, count = set[object](), set[tuple[object, Point]](), 0
+        settled: set[object] = set()
+        unsure: set[tuple[object, Point]] = set()
+        count = 0
         most = max(LEAST_ASKED, WORK // (1 + len(self.program.operations)))
         for point, pattern, asked in places:
             if not asked and count >= POINTS and pattern in settled:

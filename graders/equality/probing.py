@@ -177,7 +177,8 @@ class Search:
         return [(row[2 + number], point) for row, point in self.states if math.isfinite(row[2 + number])]
 
     def _part(self, slots: tuple[int, ...], guarded: bool, way: Way, deep: bool) -> Part:
-        doubles, intervals = self.doubles.only(*slots), list[Runner]()
+        doubles = self.doubles.only(*slots)
+        intervals: list[Runner] = []
         run, output = doubles.slots, doubles.outputs[0]
 
         def value(point: Point) -> float:
@@ -203,7 +204,7 @@ class Search:
 
     def _trends(self, slot: int, moving: Sequence[int]) -> tuple[int, ...]:
         """Tell which way a slot goes along some symbols; nothing where it turns back along one of them."""
-        found = list[int]()
+        found: list[int] = []
         for at in moving:
             if at not in self.known:
                 self.known[at] = trends(self.program, self.slots, at)

@@ -104,19 +104,13 @@ class _Reader:
             tree = Binary(operator, tree, self.product())
 
     def product(self) -> Tree:
-        tree: Tree | None = None
-        nodes, pieces, operator = self.nodes, self.pieces, ""
+        tree = self.factor()
         while True:
-            factor: Tree | None = nodes.get(self.piece)
-            if factor is None or pieces[-1] == "^":
-                factor = self.factor()
-            else:  # most factors are symbols
-                self.piece = pieces.pop()
-            tree = Binary(operator, tree, factor) if tree else factor
             operator = self.piece
             if operator != "*" and operator != "/":
                 return tree
-            self.piece = pieces.pop()
+            self.piece = self.pieces.pop()
+            tree = Binary(operator, tree, self.factor())
 
     def factor(self) -> Tree:
         piece = self.piece
@@ -128,8 +122,15 @@ class _Reader:
             tree = self.other(piece)
         if self.piece == "^":
             self.piece = self.pieces.pop()
-            return Binary("^", tree, self.deeper(_Reader.factor))
+            return Binary("^", tree, self.exponent())
         return tree
+
+    def exponent(self) -> Tree:
+        piece, pieces = self.piece, self.pieces
+        if not piece.isdecimal() or pieces[-1] == "^":
+            return self.deeper(_Reader.factor)
+        self.piece = pieces.pop()  # most exponents are figures
+        return _number(piece)
 
     def other(self, piece: str) -> Tree:
         """Read an operand that is no symbol met before."""
@@ -151,14 +152,26 @@ class _Reader:
         if function is None or self.piece != "(":
             raise Unusual
         arguments: list[Tree] = []
-        while not arguments or self.piece == ";":
-            self.piece = self.pieces.pop()
-            arguments.append(self.deeper(_Reader.sum))
-        self.close(")")
+        pieces = self.pieces
+        symbol = self.nodes.get(pieces[-1])
+        if symbol is not None and pieces[-2] == ")":  # most arguments are symbols
+            arguments.append(symbol)
+            pieces.pop()
+            pieces.pop()
+            self.piece = pieces.pop()
+        else:
+            self.several(arguments)
         least, most = FUNCTIONS[function]
         if not least <= len(arguments) <= most or (function == "macaulay" and not order_exists(arguments[1])):
             raise Unusual
         return Call(function, tuple(arguments))
+
+    def several(self, arguments: list[Tree]) -> None:
+        """Read the arguments of a call, up to its closing bracket."""
+        while not arguments or self.piece == ";":
+            self.piece = self.pieces.pop()
+            arguments.append(self.deeper(_Reader.sum))
+        self.close(")")
 
     def macaulay(self) -> Tree:
         """Read `<u>^n` with a plain order; without one the parser has to look."""
