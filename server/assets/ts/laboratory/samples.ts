@@ -34,7 +34,7 @@ export function written(rows: readonly Row[], comma: boolean): string {
 /** Tells what stands in a column: `x_D [mm]` is x in thousandths; null for a unit that is none of these. */
 export function columnOf(head: string): { name: string; scale: number } | null {
   const [, name = "", unit = ""] = /^([^[(,]*)(?:[[(,]\s*([^\])]*)[\])]?)?$/.exec(head.trim().toLowerCase()) ?? [];
-  const part = unit === "" ? [""] : UNIT.exec(unit.trim().replaceAll("м", "m").replaceAll("с", "s"));
+  const part = unit === "" ? [""] : UNIT.exec(unit.trim().replaceAll("\u043c", "m").replaceAll("\u0441", "s"));
   const stem = name.trim().replace(/[_ ].*$/, "");
   return part === null ? null : { name: stem === "y" ? "x" : stem, scale: PARTS[part[1] ?? ""] ?? 1 };
 }
