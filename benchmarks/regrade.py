@@ -20,7 +20,6 @@ from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from datetime import UTC, datetime, timedelta
 from multiprocessing import get_context
-from resource import RUSAGE_CHILDREN, RUSAGE_SELF, getrusage
 from tempfile import TemporaryDirectory
 from typing import Any
 
@@ -48,6 +47,7 @@ NOW = datetime(2026, 12, 1, 12, tzinfo=UTC)
 AT_ONCE = 100  # variants that are written together
 UNGRADED = {"verdicts": {}, "score": 0.0, "mistake": None, "counted": True, "provisional": False,
             "grader_version": "0", "slip": None}  # fmt: skip
+PAGE = os.sysconf("SC_PAGESIZE")  # bytes
 COMPARED = 24  # batches with which one worker is compared with two
 
 
@@ -93,8 +93,8 @@ def hand_in(connection: Any, seed: int) -> None:
     connection.execute(insert(grades), [first | {"submission": one["receipt"]} for one in handed])
 
 
-async def regraded(url: str, workers: int) -> tuple[float, dict[str, int]]:
-    """Regrade the set once; gives the seconds and the counts."""
+async def regraded(url: str, workers: int, memory: list[tuple[int, int]]) -> tuple[float, dict[str, int]]:
+    """Regrade the set once; gives the seconds and the counts, and notes meanwhile what is in memory."""
     database, judging = Database(url), JudgingThread(workers)
     worker = Engine(Bureau(database.jobs, judging, SECRET, KINDS), "benchmark", workers)
     await judging.apart(pow, [(2, 2)] * workers)  # the processes are there
@@ -105,6 +105,7 @@ async def regraded(url: str, workers: int) -> tuple[float, dict[str, int]]:
     number = await regrade.order(database.jobs, found, "command line", None, dry_run=False)
     worker.wake()
     while (job := await database.jobs.job(number)) is None or job.live:
+        memory.append((resident(os.getpid()), max(map(resident, computing(judging)), default=0)))
         await asyncio.sleep(0.05)
     seconds = time.perf_counter() - start
     working.cancel()
@@ -113,6 +114,20 @@ async def regraded(url: str, workers: int) -> tuple[float, dict[str, int]]:
     database.close()
     assert job.state == "done", job
     return seconds, dict(job.result)
+
+
+def computing(judging: JudgingThread) -> list[int]:
+    """Give the numbers of the processes that compute apart."""
+    pool = judging._apart._pool
+    return list((pool._processes or {}) if pool else {})
+
+
+def resident(process: int) -> int:
+    """Give the bytes of a process that are in memory; none of one that has ended."""
+    try:
+        return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * PAGE
+    except OSError:
+        return 0
 
 
 def lots(url: str) -> Iterator[Lot]:
@@ -150,17 +165,20 @@ def main() -> None:
     given = parser.parse_args()
     with TemporaryDirectory() as folder:
         url = Settings(Path(folder)).store_url
-        lay(url, given.submissions)
+        with ProcessPoolExecutor(1, get_context("spawn")) as apart:  # what it remembers is not the server's
+            apart.submit(lay, url, given.submissions).result()
+        memory: list[tuple[int, int]] = []
         for what in ("every grade changes", "no grade changes"):
-            seconds, counts = asyncio.run(regraded(url, given.workers))
+            seconds, counts = asyncio.run(regraded(url, given.workers, memory))
             print(f"{what}: {counts['judged'] / seconds:.0f} submissions/s end to end, {counts}", flush=True)
         found = list(lots(url))
         (one, work), (two, _) = (grading(found, workers) for workers in (1, 2))
         print(f"grading part: {one:.0f}/s with 1 worker, {two:.0f}/s with 2, {two / one:.2f}x")
         print(f"grading part by the work of one processor: {work:.0f}/s")
     print(f"load {os.getloadavg()[0]:.1f} on {os.cpu_count()} processors at the end")
-    for who, usage in (("server", RUSAGE_SELF), ("largest worker", RUSAGE_CHILDREN)):
-        print(f"memory of the {who}: {getrusage(usage).ru_maxrss / 1000:.0f} MB at most")
+    for who, seen in zip(("server", "largest worker"), zip(*memory, strict=True), strict=True):
+        parts = [max(seen[len(seen) * tenth // 10 : len(seen) * (tenth + 1) // 10]) / 1e6 for tenth in range(10)]
+        print(f"memory of the {who}, the most in each tenth of the time: {', '.join(f'{p:.0f}' for p in parts)} MB")
 
 
 if __name__ == "__main__":
