@@ -306,7 +306,8 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: fl
     """Publish a draft; gives the job, which may be under way still after the seconds that it was waited for.
 
     Raises:
-        Refused: 409, it is published already or was changed meanwhile; 422, why it cannot be published; 500, our fault.
+        Refused: 409, it is published, is being published, or was changed meanwhile; 422, why it cannot be published;
+            500, our fault.
     """
     if task_set.published:
         raise Refused(409, "set_frozen")
@@ -314,7 +315,7 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: fl
         person = reader.person.id if reader.person else None
         number = await publishing.order(bench, task_set, actor_of(reader), person)
     except (NotADraft, Busy):
-        raise Refused(409, "set_changed") from None
+        raise await _not_now(bench, task_set) from None
     except Troubled as error:
         raise _troubled(reader, error.troubles[0]) from None
     job = await publishing.waited(bench, number, seconds)
@@ -322,6 +323,11 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: fl
         troubles = publishing.troubles(job)
         raise _troubled(reader, troubles[0]) if troubles else Refused(500, "our_fault")
     return job
+
+
+async def _not_now(bench: Bench, task_set: TaskSet) -> Refused:
+    job = await bench.jobs.latest(publishing.NAME, task_set.id)
+    return Refused(409, "job_under_way", number=job.id) if job is not None and job.live else Refused(409, "set_changed")
 
 
 def _troubled(reader: Reader, trouble: Trouble) -> Refused:

@@ -48,7 +48,7 @@ def test_a_set_is_frozen_while_it_is_dealt_and_usable_when_it_is_done(course: Co
     path = f"/api/v1/task-sets/{number}"
     job = begun(course, number)
     assert code_of(course.lecturer.patch(path, json={"revision": 1, "title": "x"})) == (409, "set_frozen")
-    assert code_of(course.lecturer.post(f"{path}/open")) == (409, "set_changed")
+    assert code_of(course.lecturer.post(f"{path}/open")) == (409, "job_under_way")
     assert course.open(number).status_code == 404 and course.student.get(path).status_code == 404
     page = course.lecturer.get(f"/sets/{number}?lang=en").text
     assert "Variants drawn and checked: 0 of 4" in page and 'name="then"' not in page
