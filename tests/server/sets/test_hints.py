@@ -100,8 +100,10 @@ def test_a_hint_is_sold_only_where_it_is_offered(course: Course) -> None:
     asked = [bought(course, variant, "1", answer) for answer in ("v3", "omega2_formula", "nothing", "")]
     assert asked == [409] * 4 and bought(course, variant, "1", who=course.other) == 404
     assert bought(course, variant, "1", who=course.lecturer) == 409
+    assert "% of the points" in course.student.get(f"/variants/{variant}?lang=en").text
     course.move(number, hours=1)
     assert bought(course, variant, "1") == 403
+    assert "% of the points" not in course.student.get(f"/variants/{variant}?lang=en").text
     for rules in ({"ladder": True}, {"hint_price": 0.2}, PRICED | {"mode": "exam"}):
         _, other = astray(course, rules=rules, opens=moment(hours=-1))
         assert bought(course, other, "1") == 409

@@ -68,7 +68,7 @@ def test_a_set_is_built_published_and_answered_without_script(course: Course) ->
     assert graded.status_code == 303, graded.text
     workspace = student.get(graded.headers["location"].split("#")[0] + "&lang=en")
     assert "Check answers (attempt 2 of 2)" in workspace.text and "1 of 2" in workspace.text
-    assert re.search(r"<small>\d+ d \d+ h left</small>", workspace.text)
+    assert re.search(r"<small data-left=[^>]*>\d+ d \d+ h left</small>", workspace.text)
 
 
 def test_all_open_deadlines_of_a_course_move_together(course: Course) -> None:
