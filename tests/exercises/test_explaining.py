@@ -1,4 +1,11 @@
-"""What explains a wrong submission: a slip of the exercise, a common one, one of each; and what is followed."""
+"""What explains a wrong submission: a slip of the exercise, a common one, one of each; and what is followed.
+
+Mutants of the grading up to what explains an answer that live on change nothing that can be seen:
+
+* no values, where the right ones are taken; own values begun anew by a free answer, which stands first;
+* a number solved again from itself; right answers that are not free beside those that are: they lead to what is right;
+* wrong formulas not behind wrong numbers: no line explains both; no bound of the lines that are tried.
+"""
 
 from __future__ import annotations
 
@@ -109,6 +116,39 @@ def test_no_slip_is_read_out_of_nothing(variant: Variant, name: str) -> None:
 def test_answers_in_each_others_fields_are_named() -> None:
     answers = reference(BEAM)
     assert handed_in(BEAM, R_A=answers["R_B"], R_B=answers["R_A"]).slip is CommonSlip.FIELDS_EXCHANGED
+
+
+def test_matrices_in_each_others_fields_are_named() -> None:
+    answers = reference(ARM)
+    assert handed_in(ARM, A1=answers["A2"], A2=answers["A1"]).slip is CommonSlip.FIELDS_EXCHANGED
+
+
+def test_one_answer_in_the_field_of_another_is_no_exchange() -> None:
+    answers = reference(BEAM)
+    assert handed_in(BEAM, R_A=answers["R_B"], R_B="0,777 kN").slip is None
+    assert handed_in(BEAM, R_B=answers["R_A"], R_A="0,777 kN").slip is None
+
+
+def test_counts_that_are_off_are_not_taken_for_exchanged() -> None:
+    answers = reference(PAIRS)
+    assert handed_in(PAIRS, n=answers["p5"], p5=answers["n"]).slip is None
+
+
+def test_a_slip_is_told_by_the_right_value_and_by_what_follows_from_own_ones() -> None:
+    alpha2 = -value(CRANK, "alpha2")
+    followed = solved(CRANK).again(fixed={"alpha2": alpha2})["v3"]
+    assert isinstance(followed, float) and abs(followed - value(CRANK, "v3")) > 0.01 * abs(followed)
+    for v3 in (-followed, -value(CRANK, "v3")):
+        found = handed_in(CRANK, alpha2=f"{alpha2} rad", v3=f"{v3}")
+        assert (found.mistake, found.slip) == (None, CommonSlip.OPPOSITE_SIGN)
+
+
+def test_a_slip_in_a_line_is_told_from_own_earlier_values() -> None:
+    omega2 = solved(CRANK).again(replaced={"omega2": "-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"})["omega2"]
+    line = "-l1*omega1*cos(alpha1) - l2*omega2*sin(alpha2)"
+    v3 = solved(CRANK).again(replaced={"v3": line}, fixed={"omega2": omega2})["v3"]
+    found = handed_in(CRANK, omega2=f"{omega2}", v3=f"{v3}")
+    assert (found.mistake, found.slip) == (None, CommonSlip.SINE_COSINE)
 
 
 def test_a_slip_never_changes_the_score() -> None:
