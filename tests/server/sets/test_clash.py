@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from starlette.testclient import TestClient
 
+from server.people import personal
 from server.sets.clash import Row, clash
 from server.sets.form import flat, unflat
 from tests.server.sets.conftest import EXERCISE, Course
@@ -99,6 +100,8 @@ def test_it_is_said_who_changed_the_draft(course: Course, draft: str) -> None:
     assert school.browser("assistant").patch(f"/api/v1/task-sets/{number}", json=body).status_code == 200
     page = unescape(posted(course.lecturer, draft, one | {"minutes": "30"}).text)
     assert f"{other['name']} changed it (" in page
+    school.portal.call(personal.erase, school.bench, other["id"], "administrator")
+    assert "Somebody else changed it." in posted(course.lecturer, draft, one | {"minutes": "30"}).text
 
 
 def test_a_set_that_was_published_meanwhile_shows_what_was_not_saved(course: Course, draft: str) -> None:
