@@ -108,19 +108,24 @@ def _loaded(form: Mapping[str, Any]) -> dict[str, Any]:
     return {name: form[name] for name in ("revision", "base")}
 
 
-async def _clashed(
-    request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]
-) -> HTMLResponse:
+async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]) -> Response:
     """Give back what was typed into a draft that has changed meanwhile, with who changed what, to save or to let go."""
     found = await set_of(bench, reader, number)
     titles = {one.id: one.title for one in await bench.sets.of(found.course)}
     stored = written(found, clock.zone(here(reader).course.time_zone))
     both = clash(reader.language, values, stored, titles)
+    if not both.mine and not both.theirs:
+        return RedirectResponse(await _where(bench, found), 303)  # one button pressed twice
     who = await bench.people.person(found.changed_by) if found.changed_by else None
     mine = reader.person is not None and found.changed_by == reader.person.id
     told = {"clash": both, "who": who.name if who else None, "mine": mine}
     form = both.form if found.state == DRAFT else stored
     return await _builder(request, bench, reader, found, typed=form, told=told, status=409)
+
+
+async def _where(bench: Bench, found: TaskSet) -> str:
+    job = await bench.jobs.latest(publishing.NAME, found.id)
+    return f"/jobs/{job.id}" if job and job.live else f"/sets/{found.id}"
 
 
 @router.post("/sets/{task_set}/remove")

@@ -113,6 +113,16 @@ def test_a_set_that_was_published_meanwhile_shows_what_was_not_saved(course: Cou
     assert "Too late</td>" in page and "Save what I typed" not in page and 'name="then"' not in page
 
 
+@pytest.mark.parametrize("pressed", ["save", "publish"])
+def test_a_button_that_is_pressed_twice_does_what_it_does_once(course: Course, draft: str, pressed: str) -> None:
+    form = fields(course.lecturer.get(draft).text) | {"title": "Twice", "then": pressed}
+    first, second = (course.lecturer.post(draft, data=form, headers=BROWSER, follow_redirects=False) for _ in range(2))
+    assert (first.status_code, second.status_code) == (303, 303)
+    assert second.headers["location"] == draft
+    kept = course.lecturer.get(f"/api/v1/task-sets/{draft.rpartition('/')[2]}").json()
+    assert (kept["title"], kept["revision"]) == ("Twice", int(form["revision"]) + 1)
+
+
 def test_a_form_that_is_refused_does_not_forget_which_draft_it_was_made_for(course: Course, draft: str) -> None:
     one = fields(course.lecturer.get(draft).text)
     saved(course.lecturer, draft, title="In the other window")
