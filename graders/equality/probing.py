@@ -22,6 +22,7 @@ ALIKE = 1e-9  # relative difference of the ratios of two arguments that turn tog
 
 WORK, LESS_WORK = 3000, 400  # operations on intervals of one search: where its end matters, and elsewhere
 MOST_JOINT = 24  # ways in which signs go together that are searched for
+JOINT_WORK = 3000  # operations times symbols of all these ways; the dearest of 20,000 random formulas needs 600
 
 Row: TypeAlias = list[float]
 Way: TypeAlias = Callable[[Sequence[Interval]], Interval]
@@ -38,8 +39,15 @@ def look(runner: Runner, point: Point) -> Row:
 def _patiently(runner: Runner, point: Point) -> Row:
     slots: list[Any] = [*point, *runner.tail]
     for function, slot, count, first, second in runner.code:
-        arguments = (first, second)[:count] if count else first
-        slots[slot] = _tried(function, *[slots[argument] for argument in arguments])
+        try:
+            if count == 2:
+                slots[slot] = function(slots[first], slots[second])
+            elif count == 1:
+                slots[slot] = function(slots[first])
+            else:
+                slots[slot] = function(*[slots[argument] for argument in first])
+        except (ValueError, ArithmeticError, TypeError):
+            slots[slot] = math.nan
     return [slots[slot] for slot in runner.outputs]
 
 
@@ -139,13 +147,14 @@ class Search:
         """
         rows = [row for row in rows if any(map(math.isfinite, row[: 1 + self.mutual]))]
         columns = [[row[2 + at] for row in rows] for at in range(len(turns))]
-        guarded = any(turn.edge for turn in turns)
+        guarded, work = any(turn.edge for turn in turns), 0
         for tries, (group, factors) in enumerate(_ways(groups, columns)):
-            if tries == MOST_JOINT:
-                self.open.append(group.turns[0])
-                return
             slots = tuple([turns[at].slot for at in group.turns])
             part = self._part(slots, guarded, _all_of(factors), group.apart)
+            work += part.size * len(part.moving)
+            if tries == MOST_JOINT or work > JOINT_WORK:
+                self.open.append(group.turns[0])
+                return
             found = part.below(
                 min(((part.value(point), point) for point in self.points), key=lambda one: _number(one[0]))
             )

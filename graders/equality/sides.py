@@ -112,7 +112,7 @@ class Part:
     def below(self, start: Found) -> Sides:
         """Give a point where the value is negative, from a start where it is not."""
         best, proved = self._descent(start, 1.0, start[0]), True
-        if best[0] >= 0:
+        if best[0] >= 0 and self.moving:
             best, proved = self._bounded(best, 1.0)
         return Sides((best[1],) if best[0] < 0 else (), proved=proved)
 

@@ -113,3 +113,8 @@ def test_every_sign_of_an_inequality_has_its_border_and_its_opposite(typed: str,
     assert verdict(TURNS, typed, MARGIN, NAMES).code is code
     strict = Inequality("l1 + h < l2", "margin")
     assert verdict(strict, "l1 + h > l2", MARGIN, NAMES).code is Code.SENSE_TURNED
+
+
+def test_a_sign_that_hangs_on_numbers_alone_is_not_searched_for_in_the_box() -> None:
+    turning_nowhere = "l1 <= h*cot(<acot(<acot(1e100cot(1e100)^-1e100)^-1>^0)^-1-1>^1^0.5)^-1"
+    assert verdict(TURNS, turning_nowhere, MARGIN, NAMES).code is Code.WRONG
