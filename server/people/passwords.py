@@ -43,7 +43,8 @@ class Passwords:
         return self._hash.hash(secrets.token_hex(16))
 
     def _fits(self, password: str, kept: str | None) -> bool:
-        return self._hash.verify(password, kept or self._nobody) and kept is not None
+        nobody = self._nobody  # made by the first who signs in, known or not
+        return self._hash.verify(password, kept or nobody) and kept is not None
 
 
 def usable(password: str, login: str) -> bool:

@@ -19,11 +19,15 @@ EN = {"accept-language": "en", "accept": "text/html"}
 
 
 class Counted:
-    """A hash that counts how often it is checked."""
+    """A hash that counts how often it is made and checked."""
 
     def __init__(self) -> None:
         self._hash = PasswordHash((CHEAP,))
-        self.hash, self.work = self._hash.hash, 0
+        self.made = self.work = 0
+
+    def hash(self, password: str) -> str:
+        self.made += 1
+        return self._hash.hash(password)
 
     def verify(self, password: str, kept: str) -> bool:
         self.work += 1
@@ -46,6 +50,18 @@ def test_an_answer_and_its_work_are_the_same_for_all_who_may_not(school: School)
         seen.add((reply.status_code, str(told), counted.work - before, "set-cookie" in reply.headers))
     passwords.close()
     assert len(seen) == 1 and next(iter(seen))[2] == 1
+
+
+def test_the_first_who_signs_in_after_a_start_waits_alike_known_or_not(school: School) -> None:
+    kept, work = PasswordHash((CHEAP,)).hash(PASSWORD), []
+    for known in (kept, None):
+        passwords, counted = Passwords(CHEAP), Counted()
+        passwords._hash = counted  # type: ignore[assignment]
+        for _ in range(2):
+            assert not school.portal.call(passwords.fits, "wrong", known)
+            work.append((counted.made, counted.work))
+        passwords.close()
+    assert work == [(1, 1), (1, 2)] * 2
 
 
 def tries(browser: TestClient, login: str, number: int) -> list[int]:
