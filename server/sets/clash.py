@@ -13,6 +13,7 @@ from server.web.language import words
 
 Fields = Mapping[str, str]
 POOLS = ".pool"
+NUMBERS = frozenset({"points", "attempts", "limits", "late_loss", "hint_price", "follow_through", "minutes"})
 LIST = "list"  # names all tasks together
 
 
@@ -110,9 +111,15 @@ def _called(language: str, part: str) -> str:
     return label(language, f"items.{int(number) - 1}.{name}")
 
 
+def _marked(language: str, name: str, text: str) -> str:
+    """Write numbers with the decimal mark of the language; a title keeps its own."""
+    number = name.rpartition(".")[2] in NUMBERS
+    return text.replace(".", ",") if number and language != "en" else text
+
+
 def _said(language: str, part: str, fields: Fields, titles: Mapping[str, str]) -> str:
     """Say what stands in a field, or in all tasks, as the page does."""
-    found = _of(part, fields)
+    found = {name: _marked(language, name, text) for name, text in _of(part, fields).items()}
     if part == LIST:
         tasks = groupby(found.items(), key=lambda one: one[0].split(".")[1])
         return "; ".join(" ".join(filter(None, (text for _, text in texts))) for _, texts in tasks) or "—"

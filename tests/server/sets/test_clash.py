@@ -43,6 +43,18 @@ def test_fields_that_one_side_changed_are_taken_from_it_and_both_sides_are_shown
     )
 
 
+@pytest.mark.parametrize(
+    ("language", "points", "limits"), [("pl", "2,5", "l1 0,05 0,08"), ("en", "2.5", "l1 0.05 0.08")]
+)
+def test_numbers_are_told_with_the_decimal_mark_of_the_reader(language: str, points: str, limits: str) -> None:
+    theirs = form(title="Set 1.5", slot__1__points="2.5", slot__1__limits="l1 0.05 0.08")
+    mine = form(title="Set 2.5", slot__1__points="3", slot__1__limits="l1 0.05 0.09")
+    found = clash(language, mine | {"base": dumps(form())}, unflat(theirs) | {"revision": 3, "base": "{}"}, {})
+    assert [row.stored for row in found.both] == ["Set 1.5", points, limits]
+    moved = unflat(form(slot__1__pool="b", slot__1__points="2.5", slot__2__pool="a")) | {"revision": 3, "base": "{}"}
+    assert clash(language, mine | {"base": dumps(form())}, moved, {}).both[-1].stored == f"b {points}; a"
+
+
 def test_tasks_that_were_moved_or_added_are_taken_as_a_whole() -> None:
     moved = form(slot__1__pool="b", slot__2__pool="a")
     assert flat(met(form(), form(title="Mine"), moved).form) == {**moved, "title": "Mine"}
