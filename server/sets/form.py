@@ -12,7 +12,7 @@ from server.sets.clock import local
 from server.sets.handing import rules_of
 from server.sets.rules import Rules
 from server.storage.sets import TaskSet
-from server.web.errors import Refused
+from server.web.errors import Refused, printable
 from server.web.language import say, words
 
 MOMENTS = ("opens", "due", "closes")
@@ -97,9 +97,14 @@ def _word(language: str, name: str) -> str:
 
 
 def draft_of_form(values: Mapping[str, str]) -> dict[str, Any]:
-    """Read the form; what is not as it should be stays as it is, for the schema to refuse by name."""
+    """Read the form; what is not as it should be stays as it is, for the schema to refuse by name.
+
+    Raises:
+        Refused: 422, limits name a given twice.
+    """
     order = _moved(_numbers(values), values.get("move", ""))
-    items = [_item(values, number) for number in order if values.get("remove") != str(number)]
+    kept = [number for number in order if values.get("remove") != str(number)]
+    items = [_item(values, number, at) for at, number in enumerate(kept)]
     added = values.get("add", "")
     items += [{"exercise": added}] if added else []
     rules = {name: values[name] for name in ("mode", "late", "keep", "solutions") if name in values}
@@ -134,7 +139,7 @@ def _moved(numbers: list[int], wish: str) -> list[int]:
     return numbers
 
 
-def _item(values: Mapping[str, str], number: int) -> dict[str, Any]:
+def _item(values: Mapping[str, str], number: int, at: int) -> dict[str, Any]:
     attempts = values.get(f"slot.{number}.attempts", "").strip()
     return {
         "pool": values[f"slot.{number}.pool"].replace(",", " ").split(),
@@ -142,13 +147,21 @@ def _item(values: Mapping[str, str], number: int) -> dict[str, Any]:
         "attempts": int(attempts)
         if attempts.isascii() and attempts.isdecimal() and len(attempts) < 9
         else attempts or None,
-        "limits": _limits(values.get(f"slot.{number}.limits", "")),
+        "limits": _limits(values.get(f"slot.{number}.limits", ""), f"items.{at}.limits"),
     }
 
 
-def _limits(text: str) -> dict[str, list[str]]:
-    """Read limits such as ``l1 0,05 0,08; omega1 5 20``."""
+def _limits(text: str, field: str) -> dict[str, list[str]]:
+    """Read limits such as ``l1 0,05 0,08; omega1 5 20``.
+
+    Raises:
+        Refused: 422, a given stands in them twice.
+    """
     words = [part.replace(",", ".").split() for part in text.split(";") if part.strip()]
+    names = [found[0] for found in words]
+    twice = next((name for at, name in enumerate(names) if name in names[:at]), None)
+    if twice is not None:
+        raise Refused(422, "limited_twice", field=field, given=printable(twice))
     return {found[0]: found[1:] for found in words}
 
 

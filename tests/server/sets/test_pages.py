@@ -297,6 +297,22 @@ def test_what_is_strange_in_the_form_is_left_for_the_schema() -> None:
     assert found["rules"]["late_loss"] == "much" and found["due"] is None
 
 
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("pl", "Zadanie 1, Ograniczenia danych: Dana l1 stoi w ograniczeniach dwa razy."),
+        ("en", "Task 1, Limits on givens: The given l1 stands in the limits twice."),
+        ("ru", "Данная l1 стоит в ограничениях дважды."),
+    ],
+)
+def test_a_given_that_is_limited_twice_is_refused_by_its_name(course: Course, language: str, said: str) -> None:
+    page = f"/sets/{course.built()}?lang={language}"
+    values = fields(course.lecturer.get(page).text) | {"slot.1.limits": "l1 0,05 0,06; l2 0,2 0,3; l1 0,05 0,08"}
+    reply = course.lecturer.post(page, data=values, headers={"accept": "text/html"})
+    assert reply.status_code == 422 and said in unescape(reply.text)
+    assert fields(reply.text)["slot.1.limits"] == values["slot.1.limits"]
+
+
 def test_the_builder_names_the_tasks_of_a_slot_and_has_nothing_to_judge_again_yet(course: Course) -> None:
     number = course.built(item={"exercise": "slider_crank"})
     page = course.lecturer.get(f"/sets/{number}?lang=en").text
