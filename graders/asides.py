@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_reader import undollared
@@ -20,6 +21,10 @@ ROUGHLY = re.compile(
 )
 NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
 TIE = re.compile(r"(?<=\d)~(?=[^\W\d])")  # 12~kN
+LETTERED = re.compile(r"(?:(?<=\d)|(?<=\d[.,]))(?:[OoОо](?![^\W\d_OoОо])|[lI](?=\d))|(?<!\w)[OoОо](?=[.,]\d)")
+FIGURES = {"l": "1", "I": "1"}  # the others look like 0
+LITERAL = re.compile(r"\d[\d.,]*")
+DRAWN = re.compile(r"\\(?:mathrm|d?frac)|[\\{}()/\s]")  # what a derivative is drawn with besides its letters
 LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(?=\s{{0,9}}[-+−–.\d(\\√])")
 
 
@@ -49,6 +54,16 @@ def refuse_direction(text: str) -> None:
         raise AnswerSyntaxError(Reason.DIRECTION, found.start(), found.group())
 
 
+def refuse_letters(text: str) -> None:
+    """Ask for the figure where a letter that looks like one stands in a number, `204,O2`; raises AnswerSyntaxError."""
+    found = LETTERED.search(text)
+    if found is None:
+        return
+    mended = LETTERED.sub(lambda one: FIGURES.get(one.group(), "0"), text)
+    number = next(one.group() for one in LITERAL.finditer(mended) if one.end() > found.start())
+    raise AnswerSyntaxError(Reason.BAD_CHARACTER, found.start(), found.group(), number)
+
+
 def without_label(text: str, symbols: Symbols) -> str:
     """Blank out a name in front of `=` that means nothing here, `i = z2/z1` where the ratio is u; places stay."""
     found = NAMED.match(text) if text.count("=") == 1 else None
@@ -57,6 +72,14 @@ def without_label(text: str, symbols: Symbols) -> str:
     if found is None or (name and meant):
         return text
     return " " * found.end() + text[found.end() :]
+
+
+def without_derivatives(text: str, rates: Collection[str]) -> str:
+    r"""Blank out `dα2/dt =` or `\frac{d\alpha_2}{dt} =` in front of a formula of one of some rates; places stay."""
+    meant = {f"d{key(rate.removesuffix('_d'))}dt" for rate in rates if not rate.endswith("_dd")}
+    *fronts, formula = text.split("=")
+    told = [part + "=" if key(DRAWN.sub("", part)) not in meant else " " * (len(part) + 1) for part in fronts]
+    return "".join(told) + formula
 
 
 def _unfenced(text: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import isclose, nan
 from typing import Any, ClassVar
 
-from graders.asides import without_label
+from graders.asides import without_derivatives, without_label
 from graders.common_slips import CommonSlip, Slips
 from graders.formulas import Form, checked, has_form
 from graders.judge import Echo, Formula, Samples, States
@@ -28,7 +28,7 @@ WRONG_FORM = {Form.PRODUCT: Code.NOT_A_PRODUCT, Form.NO_INVERSE: Code.HOLDS_INVE
 
 @dataclass(frozen=True, slots=True)
 class Expression:
-    """A formula in the givens and the earlier steps.
+    r"""A formula in the givens and the earlier steps.
 
     Args:
         step: The step whose formula is asked for.
@@ -38,6 +38,7 @@ class Expression:
         forms: Forms asked for besides the value.
         form_credit: Credit for the right value in another form.
         called: Another name that the unknown may have in front, `z_M = …` where the step is z.
+        rates: Names of rates that it is and that may stand in front, `\dot{\alpha}_2 = …` where the step is omega2.
     """
 
     step: str
@@ -47,16 +48,23 @@ class Expression:
     forms: tuple[Form, ...] = ()
     form_credit: float = 0.5
     called: str = ""
+    rates: tuple[str, ...] = ()
     kind: ClassVar[str] = "expression"
     symbolic: ClassVar[bool] = True
 
     def parse(self, text: str, symbols: Symbols) -> Tree:
         """Read a formula; `omega2 = …` or an unknown name in front is allowed, the unknown itself inside is not."""
-        tree = parse(without_label(text, symbols), symbols)
-        front = (Name(self.step), Name(self.called))
-        if isinstance(tree, Relation) and tree.operators == ("=",) and tree.sides[0] in front:
-            tree = tree.sides[1]
+        tree = self._read(text, symbols)
+        front = {Name(name) for name in (self.step, self.called, *self.rates)}
+        if isinstance(tree, Relation) and {*tree.operators} == {"="} and front.issuperset(tree.sides[:-1]):
+            tree = tree.sides[-1]
         return checked(tree, text, symbols)
+
+    def _read(self, text: str, symbols: Symbols) -> Tree:
+        if self.rates and "=" in text:
+            symbols = Symbols(symbols.names, (*symbols.known, *self.rates))
+            text = without_derivatives(text, self.rates)
+        return parse(without_label(text, symbols), symbols)
 
     def check(self, answer: Tree, reference: Formula) -> Verdict:
         """Judge by ball arithmetic on true states; what cannot be decided is kept for the lecturer."""

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from graders.amounts import ROUNDED, SLACK, Amount, comparable, is_pair, one_value, sides
 from graders.angles import is_angle, without_last_degree
-from graders.asides import NAMED, refuse_direction, without_asides
+from graders.asides import NAMED, refuse_direction, refuse_letters, without_asides
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
@@ -75,6 +75,7 @@ class Quantity:
             told = sides(text, lambda side: self.parse(side, symbols))
             if len(told) == 2 and is_pair(text) and all(side.amount.unit for side in told):
                 return one_value(told, text)
+            refuse_letters(text)
             raise (error.reason is Reason.NEEDS_OPERAND and _formula_typed(text, symbols)) or error from None
         return amount if is_latex(text) else self._as_told(amount, text, symbols)
 

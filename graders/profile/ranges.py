@@ -17,6 +17,8 @@ MOST = 40
 DOTS = re.compile(r"\.{2,3}|…|‥")
 RELATION = re.compile(r"<=|>=|[<>≤≥⩽⩾]")
 DASH = re.compile(r"(?<=[ \w])[–—-](?= )")
+FROM = re.compile(r"(?:(?:for|dla|для) {1,4})?(?:x {0,4}[:=]? {0,4})?(?:(?:from|od|от) {1,4})?", re.IGNORECASE)
+TO = re.compile(r" (?:to|do|до) ", re.IGNORECASE)
 MEMBER = re.compile(r"^[^\W\d_]\w{0,10} {0,4}(?:∈|in\b) {0,4}")
 POINTED = re.compile(r"<([^<>;:\n]{1,40};[^<>;:\n]{1,40})>(?= {0,5}:)")  # <0; 1,5>: a closed interval in Polish books
 CLOSED = re.compile(r">(?! {0,5}(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]|=))")  # a bracket without its power
@@ -113,7 +115,7 @@ def _ranged(piece: Piece) -> Ranged:
 
 
 def _ends(head: Piece) -> tuple[Piece, Piece] | None:
-    """Read `0 .. 1,5`, `0 <= x <= 1,5`, `x ∈ (0; 1,5)` or `0 – 1,5`."""
+    """Read `0 .. 1,5`, `0 <= x <= 1,5`, `x ∈ (0; 1,5)`, `0 – 1,5` or `from 0 to 1.5`."""
     head = head.bare
     marks = list(DOTS.finditer(head.text))
     relations = list(RELATION.finditer(head.text))
@@ -122,7 +124,7 @@ def _ends(head: Piece) -> tuple[Piece, Piece] | None:
     elif len(relations) == 2:
         cuts = (relations[0].span(), relations[1].span())
     else:
-        return _bracketed(head) or _dashed(head)
+        return _bracketed(head) or _parted(head, DASH) or _worded(head)
     ends = head.part(0, cuts[0][0]).bare, head.part(cuts[1][1], len(head.text)).bare
     if relations and relations[0][0][0] in ">≥⩾":
         ends = ends[1], ends[0]
@@ -139,8 +141,14 @@ def _bracketed(head: Piece) -> tuple[Piece, Piece] | None:
     return ends if ends[0].text and ends[1].text else None
 
 
-def _dashed(head: Piece) -> tuple[Piece, Piece] | None:
-    marks = list(DASH.finditer(head.text))
+def _worded(head: Piece) -> tuple[Piece, Piece] | None:
+    found = FROM.match(head.text)
+    return _parted(head.part(found.end(), len(head.text)) if found else head, TO)
+
+
+def _parted(head: Piece, mark: re.Pattern[str]) -> tuple[Piece, Piece] | None:
+    marks = list(mark.finditer(head.text))
     if len(marks) != 1:
         return None
-    return head.part(0, marks[0].start()).bare, head.part(marks[0].end(), len(head.text)).bare
+    ends = head.part(0, marks[0].start()).bare, head.part(marks[0].end(), len(head.text)).bare
+    return ends if ends[0].text and ends[1].text else None

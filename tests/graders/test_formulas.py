@@ -37,6 +37,31 @@ def test_what_the_result_is_called_says_nothing(front: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "front",
+    [
+        r"\dot{\alpha}_2 = ",
+        r"\dot{\alpha_2} = ",
+        "α̇₂ = ",
+        "alpha2' = ",
+        "alpha_2_dot = ",
+        "ω2 = α̇2 = ",
+        "dα2/dt = ",
+        "ω₂ = d(alpha_2)/dt = ",
+        r"\omega_2=\frac{\mathrm{d}\alpha_2}{\mathrm{d}t}=",
+    ],
+)
+def test_the_rate_that_is_asked_for_may_stand_in_front(front: str) -> None:
+    judge = Expression("omega2", rates=("alpha2_d",))
+    assert judged(judge, front + "-l1*ω1*cos(α1)/(l2*cos(α2))", OMEGA2, SYMBOLS) is Code.RIGHT
+
+
+@pytest.mark.parametrize("front", [r"\dot{\alpha}_1 = ", "dα1/dt = ", "α̈2 = ", "alpha2'' = ", "l2 = dα2/dt = "])
+def test_another_rate_in_front_is_asked_about(front: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        judged(Expression("omega2", rates=("alpha2_d",)), front + "l1*ω1", OMEGA2, SYMBOLS)
+
+
+@pytest.mark.parametrize(
     "front", ["l2 = ", "l2ω2 = ", "l2*ω2 = ", "2 = ", "pi = ", "sin = ", "x y = ", "i = u = ", "alpha2 = "]
 )
 def test_another_quantity_in_front_makes_an_equation(front: str) -> None:

@@ -11,7 +11,8 @@ from math import inf, pi
 
 import pytest
 
-from graders import Code, Quantity, Symbols
+from graders import AnswerSyntaxError, Code, Quantity, Symbols
+from graders.language import Reason
 from graders.verdict import Verdict
 
 NOTHING = Symbols(())
@@ -52,3 +53,28 @@ def test_amounts_are_apart_by_so_many_tolerances_of_the_greater() -> None:
     assert Quantity("N", rtol=0.01).apart(100.0, 103.0) == pytest.approx(3 / 1.03)
     assert Quantity("N", rtol=0.01, atol=6.0).apart(100.0, 103.0) == pytest.approx(0.5)
     assert Quantity("N", rtol=0.01).apart(0.0, 0.0) == inf
+
+
+@pytest.mark.parametrize(
+    ("typed", "place", "meant"),
+    [
+        ("204,O2", 4, "204,02"),
+        ("204,O2 mm", 4, "204,02"),
+        ("2O4 mm", 1, "204"),
+        ("O.5 mm", 0, "0.5"),
+        ("l = 20\u043e mm", 6, "200"),
+        ("12,l5 mm", 3, "12,15"),
+        ("-1OO", 2, "100"),
+    ],
+)
+def test_a_letter_in_a_number_is_pointed_at(typed: str, place: int, meant: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("mm").parse(typed, NOTHING)
+    assert (refused.value.position, refused.value.proposal.meant) == (place, meant)
+
+
+@pytest.mark.parametrize("typed", ["12 obrx", "5 l", "7 Ohm", "12 oz"])
+def test_a_letter_of_a_unit_is_no_figure(typed: str) -> None:
+    with pytest.raises(AnswerSyntaxError) as refused:
+        Quantity("rad").parse(typed, NOTHING)
+    assert refused.value.reason is Reason.UNKNOWN_UNIT

@@ -248,7 +248,22 @@ def test_russian_prints_units_in_its_own_letters() -> None:
     assert [printed_unit(unit, "pl") for unit in units] == ["mm", "kN·m²", "rad/s", "MPa", "m/s²", "", "1/s"]
 
 
-@pytest.mark.parametrize(("typed", "meant"), [("Mpa", "MPa"), ("KN", "kN"), ("knm", "kNm"), ("mmm", "mm"), ("w", "W")])
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("Mpa", "MPa"),
+        ("KN", "kN"),
+        ("knm", "kNm"),
+        ("mmm", "mm"),
+        ("w", "W"),
+        ("MM", "mm"),
+        ("mM", "mm"),
+        ("\u041c\u041c", "мм"),
+        ("\u0421\u041c", "см"),
+        ("\u041c\u041f\u0410", "МПа"),
+        ("MPA", "MPa"),
+    ],
+)
 def test_a_near_unit_is_proposed(typed: str, meant: str) -> None:
     assert nearest_unit(typed) == meant
 

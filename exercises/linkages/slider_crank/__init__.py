@@ -56,7 +56,7 @@ EXERCISE = Exercise(
     answers={
         "alpha2": Quantity("deg", rtol=0.005),
         "l3": Quantity("mm", rtol=0.005),
-        "omega2_formula": Expression(step="omega2"),
+        "omega2_formula": Expression(step="omega2", rates=("alpha2_d",)),
         "omega2": Quantity("rad/s", rtol=0.005),
         "v3": Quantity("m/s", rtol=0.005),
     },

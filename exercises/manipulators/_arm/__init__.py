@@ -146,10 +146,17 @@ def terms(sides: Sides) -> tuple[tuple[str, ...], ...]:
     return (*places, *map(tuple, rates))
 
 
+def called(component: str) -> tuple[str, ...]:
+    """Give the rates that a component of the velocity or acceleration of D is."""
+    letter, _, axis = component.partition("_")
+    first = (f"{axis}_D_d", f"{axis}_d")
+    return first if letter == "v" else (*(f"{rate}d" for rate in first), f"v_{axis}_d")
+
+
 def answers() -> dict[str, Grader]:
     """Ask for sections 4 to 13 of the report in their order."""
     formulas = [f"{letter}_{axis}" for letter in "va" for axis in AXES]
-    parts = [(f"{name}_formula", Expression(name)) for name in formulas]
+    parts = [(f"{name}_formula", Expression(name, rates=called(name))) for name in formulas]
     numbers = [(name, Quantity("m/s" if name[0] == "v" else "m/s^2")) for name in formulas]
     return {
         "aim": Text(step="x_D", weight=0.0),
