@@ -33,6 +33,7 @@ from server.migrate import migrate
 from server.people import tokens
 from server.sets import dealing
 from server.settings import Settings
+from server.storage.sets import weights_of
 from server.tables import (
     attempts,
     courses,
@@ -95,7 +96,8 @@ def _work(slot: str, at: int, person: str, lecturer: str, shown: Any) -> Iterato
     same: dict[str, Any] = {"exercise": "slider_crank", "version": 1, "seed": at, "givens": {"l1": 0.05}}
     yield variants, same | {"id": variant, "owner": person, "created": NOW, "last_used": NOW}
     dealt = {"person": person, "turn": 1, "variant": variant, "dealt": NOW, "code": ids.new()}
-    yield deck, same | dealt | {"id": ids.new(), "slot": slot, "number": at, "shown": shown, "reference": {}}
+    yield deck, same | dealt | {"id": ids.new(), "slot": slot, "number": at, "shown": shown, "reference": {},
+                                  "weights": weights_of(shown)}  # fmt: skip
     for attempt in (1, 2):
         receipt, received = ids.new(), NOW + timedelta(minutes=attempt)
         handed = {"receipt": receipt, "variant": variant, "owner": person, "answers": dict.fromkeys(ANSWERS, "1")}

@@ -7,11 +7,21 @@ from dataclasses import replace as changed
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import Connection, Select, func, insert, select, update
+from sqlalchemy import Connection, Select, case, func, insert, select, update
 
 from server.database.once import insert_once
 from server.storage.sets import Card, Slot
 from server.tables import deck, owners, slots, task_sets, variants
+from server.web.language import DEFAULT
+
+# The weights of the answers of a card; what tells them is read on a card of an older version alone.
+WEIGHTS = (deck.c.weights, case((deck.c.weights.is_(None), deck.c.shown[DEFAULT, "answers"])).label("asked"))
+
+
+def weights_of(row: Mapping[Any, Any]) -> Mapping[str, float]:
+    """Give the weights of the answers of a card of which `WEIGHTS` were read."""
+    own: Mapping[str, float] | None = row["weights"]
+    return own if own is not None else {name: field["weight"] for name, field in row["asked"].items()}
 
 
 def slot_of(row: Mapping[Any, Any]) -> Slot:

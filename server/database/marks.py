@@ -11,13 +11,13 @@ from sqlalchemy import Connection, Select, bindparam, case, func, insert, or_, s
 from server.database.attempts import HANDED, graded, within
 from server.database.audit import noting
 from server.database.connections import Connections
+from server.database.deck import WEIGHTS, weights_of
 from server.database.hints import before, moments
 from server.storage import Draft, Handed
 from server.storage.audit import Entry
 from server.storage.marks import DealtCard, Mark, Progress
 from server.storage.sets import Line
 from server.tables import deck, drafts, grades, marks, slots, submissions
-from server.web.language import DEFAULT
 
 CARD = (
     deck.c.slot, deck.c.person, deck.c.variant, deck.c.code, deck.c.exercise, deck.c.version, deck.c.seed,
@@ -34,9 +34,7 @@ NONE: Mapping[str, Any] = {}
 AT_ONCE = 1000  # receipts or variants in one query
 MOST_WEIGHTS = 20_000  # variants whose weights are remembered
 THESE = select(submissions).where(submissions.c.receipt.in_(bindparam("receipts", expanding=True)))
-FIELDS = select(deck.c.variant, deck.c.shown[DEFAULT, "answers"].label("answers")).where(
-    deck.c.variant.in_(bindparam("variants", expanding=True))
-)
+WEIGHED = select(deck.c.variant, *WEIGHTS).where(deck.c.variant.in_(bindparam("variants", expanding=True)))
 ON = select(marks).where(marks.c.submission == bindparam("receipt")).order_by(marks.c.id)
 
 
@@ -70,9 +68,9 @@ class Marks:
         return {**known, **await self._read_weights([one for one in asked if one not in known])}
 
     async def _read_weights(self, variants: Sequence[str]) -> Mapping[str, Mapping[str, float]]:
-        """Read weights from cards, what they show is long, and remember them: what was published does not change."""
-        rows = [row for part in _parts(variants) for row in await self._rows(FIELDS, {"variants": part})]
-        found = {row["variant"]: {n: field["weight"] for n, field in row["answers"].items()} for row in rows}
+        """Read weights from cards, and remember them: what was published does not change."""
+        rows = [row for part in _parts(variants) for row in await self._rows(WEIGHED, {"variants": part})]
+        found = {row["variant"]: weights_of(row) for row in rows}
         if len(self._weights) + len(found) > MOST_WEIGHTS:
             self._weights.clear()
         self._weights.update(found)

@@ -9,8 +9,8 @@ from typing import Any
 
 from sqlalchemy import Connection, Select, func, insert, select, update
 
-from graders.words import LANGUAGES
 from server.database.audit import note
+from server.database.deck import WEIGHTS, weights_of
 from server.regrading.replay import Dealt, Lot, Replayed, Work
 from server.storage.audit import Action, Entry
 from server.storage.jobs import DONE, Batch, Ending, Job, Json, Kept
@@ -49,9 +49,8 @@ def read(connection: Connection, batch: Batch) -> Lot:
     """Read the cards of a batch, and what was handed in to them."""
     of_set = task_sets.c.id == batch.payload["task_set"]
     rules = connection.execute(select(task_sets.c.rules).where(of_set)).scalar_one()
-    asked = deck.c.shown[LANGUAGES[0]]["answers"].label("asked")
     columns = (
-        deck.c.id, deck.c.code, deck.c.variant, *STORED, deck.c.reference, asked, deck.c.person,
+        deck.c.id, deck.c.code, deck.c.variant, *STORED, deck.c.reference, *WEIGHTS, deck.c.person,
         slots.c.number, slots.c.attempts,
     )  # fmt: skip
     cards = connection.execute(_of_batch(select(*columns), batch)).mappings().all()
@@ -74,10 +73,9 @@ def _recompute(payload: Mapping[str, Any]) -> bool:
 
 
 def _dealt(card: Any, works: Sequence[Work]) -> Dealt:
-    weights = {name: field["weight"] for name, field in card["asked"].items()}
     stored = {column.name: card[column.name] for column in STORED}
     limited = card["attempts"] is not None
-    own = card["id"], card["code"], stored, card["reference"], weights, card["person"]
+    own = card["id"], card["code"], stored, card["reference"], weights_of(card), card["person"]
     return Dealt(*own, card["number"], limited, tuple(works))
 
 

@@ -162,7 +162,7 @@ def test_wrong_references_are_computed_anew_from_the_givens_that_were_dealt(scho
 
 
 def test_a_card_whose_exercise_has_gone_keeps_its_grades(school: Class, caplog: pytest.LogCaptureFixture) -> None:
-    card = school.cards["celia"]
+    card = school.cards["bob"]
     school.do(update(deck).where(deck.c.id == card.id).values(exercise="no_such"))
     job = school.regraded(allow_lower=True)
     school.do(update(deck).where(deck.c.id == card.id).values(exercise=card.exercise))
@@ -204,3 +204,14 @@ def test_a_key_that_a_student_chooses_passes_for_no_collected_draft(
         receipt="r", answers={}, key=key, body=body, grade={}, grader_version="1", counted=True
     )  # fmt: skip
     assert regrades._work(row).all is collected
+
+
+@pytest.mark.parametrize("own", [{"alpha2": 1.0, "l3": 1.0, "omega2_formula": 1.0, "omega2": 1.0, "v3": 4.0}, None])
+def test_a_regrade_takes_the_weights_that_stand_on_the_card(school: Class, own: dict[str, float] | None) -> None:
+    (before,) = school.grades("bob")
+    card = school.cards["bob"]
+    school.do(update(deck).where(deck.c.id == card.id).values(weights=own))
+    job = school.regraded(allow_lower=True)
+    school.do(update(deck).where(deck.c.id == card.id).values(weights=card.weights))
+    score = before["grade"]["score"]
+    assert score == 0.8 and [one["new"] for one in school.changes(job)] == ([0.875] if own else [])

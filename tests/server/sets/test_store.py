@@ -260,10 +260,13 @@ def test_of_a_hundred_clicks_one_opens_a_hint_and_later_work_tells_of_it(school:
         assert [line.hints for line in asyncio.run(lines)] == [0, 1, 1]
 
 
-def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: School) -> None:
+@pytest.mark.parametrize("own", [{"l3": 2.0, "v3": 1.0}, None])  # none on a card of an older version
+def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(
+    school: School, own: dict[str, float] | None
+) -> None:
     new = school.draft()
-    weighted = {"en": {"answers": {"l3": {"weight": 2.0}, "v3": {"weight": 1.0}}}}
-    cards = [replace(card(of, 1, "anna"), shown=weighted) for of in new.slots]
+    asked = {"en": {"answers": {} if own else {"l3": {"weight": 2.0}, "v3": {"weight": 1.0}}}}
+    cards = [replace(card(of, 1, "anna"), shown=asked, weights=own) for of in new.slots]
     publish(school.url, new, cards)
     mine = school.opened(new.slots[0], "anna")
     school.opened(new.slots[1], "anna")
@@ -284,8 +287,8 @@ def test_marks_by_hand_weights_and_progress_are_read_on_both_databases(school: S
 
 
 def test_the_weights_of_a_card_are_read_once(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
-    new, weighted = school.draft(), {"en": {"answers": {"l3": {"weight": 3.0}}}}
-    publish(school.url, new, [replace(card(new.slots[0], 1, "anna"), shown=weighted)])
+    new = school.draft()
+    publish(school.url, new, [replace(card(new.slots[0], 1, "anna"), weights={"l3": 3.0})])
     mine, asked = school.opened(new.slots[0], "anna"), []
     school.keep(mine, f"{new.id} 1", None)
     asyncio.run(school.one.marks.give([Mark(f"{new.id} 1", "l3", 0.5, "why", "lecturer", NOW)]))
