@@ -15,7 +15,7 @@ from starlette.routing import Mount
 
 from exercises import catalogue
 from server import audit_log, comparing, exercises, policy, solving
-from server.answering import drafts, hints, pages, previews, problems, reports, submissions, variants
+from server.answering import drafts, hints, pages, previews, problems, reports, submissions, typing_page, variants
 from server.answering.judging import Judging, JudgingThread
 from server.bench import Bench
 from server.courses import api as courses
@@ -64,6 +64,7 @@ ROUTERS = (
     solving.router,
     comparing.router,
     pages.router,
+    typing_page.router,
     problems.pages,
     people.router,
     courses.router,

@@ -78,6 +78,7 @@ POLICIES: dict[tuple[str, str], Policy] = {
     ("POST", "/api/v1/compare"): Role.LECTURER,
     ("GET", "/api/v1/reports/tmm2/{variant}.{form}"): Role.ANONYMOUS,
     ("GET", "/"): Role.ANONYMOUS,
+    ("GET", "/typing"): Role.ANONYMOUS,
     ("GET", "/exercises/{exercise}"): Role.ANONYMOUS,
     ("POST", "/exercises/{exercise}"): Role.ANONYMOUS,
     ("GET", "/variants/{variant}"): Role.ANONYMOUS,

@@ -87,6 +87,11 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
     if isinstance(read, Verdict):
         position = read.details.position if isinstance(read.details, Reading) else None
         return Understood(ok=False, code=read.code, message=message(read, language), position=position)
+    return told(read, language)
+
+
+def told(read: Echo, language: str) -> Understood:
+    """Word what was read for a page in a language."""
     unit = printed_unit(read.unit or "", language)
     mathml = (
         read.mathml.replace("</math>", f"{'' if unit == DEGREE else SPACE}<mtext>{escape(unit)}</mtext></math>")

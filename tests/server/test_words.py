@@ -107,7 +107,7 @@ def test_no_word_of_any_other_page_stands_outside_of_the_catalogues(
     client: TestClient, deal: Callable[..., str]
 ) -> None:
     client.post(f"/variants/{deal()}/problem", data={"problem": "⟦what is typed⟧"})
-    for path in ("/", "/?q=nothing", "/none", "/problems"):
+    for path in ("/", "/?q=nothing", "/none", "/problems", "/typing"):
         page = client.get(path, headers=bearer("lecturer") | {"accept": "text/html"}).text
         assert untranslated(page, set(catalogue.ids()) | {"slider", "crank"}) == [], path
 

@@ -111,6 +111,10 @@ def visual_editor(page: Page, site: Live) -> None:
     page.keyboard.type("l1/l2")
 
 
+def typing(page: Page, site: Live) -> None:
+    page.goto(f"{site.url}/typing")
+
+
 def nothing_here(page: Page, site: Live) -> None:
     page.goto(f"{site.url}/none")
 
@@ -128,7 +132,7 @@ def problems(page: Page, site: Live) -> None:
 
 STATES: tuple[State, ...] = (
     catalogue_of_one, nothing_found, exercise, all_kinds_and_outcomes, polygon, table, verdicts, solution,
-    visual_editor, nothing_here, problems, a_handle_with_the_focus, a_text_beyond_its_table, laboratory,
+    visual_editor, nothing_here, problems, a_handle_with_the_focus, a_text_beyond_its_table, laboratory, typing,
 )  # fmt: skip
 
 
