@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import Any
 
 from graders.equality import Finding
-from graders.solutions.equations import Found
+from graders.solutions.found import Found
 
 
 class Verdict(StrEnum):

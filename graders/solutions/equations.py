@@ -21,6 +21,7 @@ from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside, flat_zero
 from graders.solutions.branches import NONE, Branches, branch_starts
 from graders.solutions.descent import descended
+from graders.solutions.found import EQUAL, UNDECIDED, Found
 from graders.solutions.ratio import Ratio
 from graders.solutions.reduction import cleared, degrees, degrees_along, divides, factors, reduced, residual
 from graders.solutions.scene import (
@@ -59,24 +60,6 @@ BRANCHES = 40  # points in every branch
 SEARCHED, FEWER = 12, 33  # lines in branches that are searched from end to end, and their nodes
 MOST = 12  # zeros of one line
 PROVING = 3  # what an operation on ranges costs
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """What comparing two sets of solutions found.
-
-    Attributes:
-        finding: The finding.
-        witness: A point at which one is proved true and the other not.
-        lost: Whether the reference is the one that is true there, so that a solution is lost.
-    """
-
-    finding: Finding
-    witness: tuple[tuple[str, float], ...] = ()
-    lost: bool = False
-
-
-UNDECIDED, EQUAL = Found(Finding.UNDECIDED), Found(Finding.EQUAL)
 
 
 def compare_equations(answer: Relation, reference: Relation, scene: Scene, unknown: str) -> Found:
@@ -125,9 +108,11 @@ class Pair:
         self.name = scene.names[unknown]
         self.found: tuple[list[Zero], list[Zero]] = ([], [])  # zeros of each side
         self.settled = dict[tuple[float, ...], list[Zero]]()  # zeros of both sides, by their lines
-        self.both = Residuals(scene, [[tree] for tree in trees], Effort())
+        left = [[tree] for tree in trees]
+        self.both = Residuals(scene, left, Effort())
         self.sides = (Side(self.both, 0), Side(self.both, 1))
-        self.ratio, self.written = Ratio(self.both, unknown), Written(scene, written, trees, self.both.effort)
+        self.ratio = Ratio(self.both, unknown)
+        self.written = Written(scene, [[tree] for tree in written], left, self.both.effort)
 
     @cached_property
     def numerators(self) -> Sequence[Tree]:

@@ -18,7 +18,7 @@ from graders.language.tree import Binary, Relation, Tree
 from graders.solutions.beside import SLANT, Beside, beside
 from graders.solutions.branches import Branches, branch_starts
 from graders.solutions.descent import descended
-from graders.solutions.equations import EQUAL, UNDECIDED, Found
+from graders.solutions.found import EQUAL, UNDECIDED, Found
 from graders.solutions.reduction import BENT, degrees_along
 from graders.solutions.scene import (
     BITS,

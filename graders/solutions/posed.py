@@ -12,7 +12,8 @@ from graders.judge import Formula, States
 from graders.language.balls import BALLS, precision
 from graders.language.program import Builder, Program, Runner
 from graders.language.tree import Name, Relation, Tree
-from graders.solutions.equations import Found, compare_equations
+from graders.solutions.equations import compare_equations
+from graders.solutions.found import Found
 from graders.solutions.reduction import reduced, residual
 from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, moved, unit_points
 from graders.solutions.systems import compare_systems
@@ -126,16 +127,25 @@ def judged(answer: Sequence[Relation], reference: Sequence[Relation], task: Task
     """
     unknowns = frozenset(task.unknowns)
     with precision(BITS):
-        trees = [reduced(residual(equation), unknowns) for equation in answer]
+        written = [residual(equation) for equation in answer]
+        trees = [reduced(tree, unknowns) for tree in written]
         truths = task.truths(trees)
+        points = [point for point, _ in truths]
         holding = tuple(
             all((value := values[at]) is not None and value.contains(0) for _, values in truths)
-            for at in range(len(trees))
+            and (tree is whole or not _nowhere(whole, task, points))
+            for at, (tree, whole) in enumerate(zip(trees, written, strict=True))
         )
-        determined = all(holding) and determines(trees, task, [point for point, _ in truths])
+        determined = all(holding) and determines(trees, task, points)
     if not determined:
         return Judged(holding, determined, Found(Finding.DIFFERENT if determined is False else Finding.UNDECIDED))
     return Judged(holding, determined, compared(answer, reference, task))
+
+
+def _nowhere(tree: Tree, task: Task, points: Sequence[Sequence[arb]]) -> bool:
+    """Tell whether a tree is proved to have no value at some true state: what is left of it may have one."""
+    side = Side(Residuals(task.scene, [[tree]], Effort()), 0)
+    return any(map(side.nowhere, points))
 
 
 def determines(trees: Sequence[Tree], task: Task, points: Sequence[Sequence[arb]]) -> bool | None:
@@ -182,7 +192,8 @@ def compared(answer: Sequence[Relation], reference: Sequence[Relation], task: Ta
 
 
 def holds(equations: Sequence[Relation], task: Task) -> bool:
-    """Tell whether equations hold at the true states."""
+    """Tell whether equations hold at the true states, of which there are some."""
     with precision(BITS):
         truths = task.truths([residual(equation) for equation in equations])
-        return all(value is not None and value.contains(0) for _, values in truths for value in values)
+        held = (value is not None and value.contains(0) for _, values in truths for value in values)
+        return bool(truths) and all(held)

@@ -17,10 +17,11 @@ from graders.language.balls import precision
 from graders.language.tree import Relation, Tree
 from graders.solutions.beside import Beside, beside
 from graders.solutions.branches import Branches, branch_starts
-from graders.solutions.equations import EQUAL, UNDECIDED, Found
+from graders.solutions.found import EQUAL, UNDECIDED, Found
 from graders.solutions.newton import projected
 from graders.solutions.reduction import reduced, residual
 from graders.solutions.scene import BITS, Effort, Residuals, Scene, Side, TooMuchWork, exactly, extreme, used_symbols
+from graders.solutions.written import Written
 from graders.solutions.zeros import Zero
 
 DRAWS = 3  # points at which the dependence is tested
@@ -43,22 +44,24 @@ def compare_systems(
     """
     if sorted(map(repr, answer)) == sorted(map(repr, reference)):
         return EQUAL
-    sides = [[reduced(residual(one), frozenset(unknowns)) for one in side] for side in (reference, answer)]
+    written = [[residual(one) for one in side] for side in (reference, answer)]
     with precision(BITS):
         try:
-            pair = Systems(scene, sides, [scene.names.index(name) for name in unknowns])
+            pair = Systems(scene, written, unknowns)
             return pair.known(pair.by_dependence() or pair.by_zeros())
         except TooMuchWork:
             return UNDECIDED
 
 
 class Systems:
-    """The residuals of the reference and the answer over one scene."""
+    """The residuals of the reference and the answer over one scene, as they were written and without what may go."""
 
-    def __init__(self, scene: Scene, trees: Sequence[Sequence[Tree]], unknowns: Sequence[int]) -> None:
-        self.scene, self.trees, self.unknowns = scene, trees, unknowns
-        self.both = Residuals(scene, trees, Effort(SYSTEM_WORK))
+    def __init__(self, scene: Scene, written: Sequence[Sequence[Tree]], unknowns: Sequence[str]) -> None:
+        self.scene, self.unknowns = scene, [scene.names.index(name) for name in unknowns]
+        self.trees = [[reduced(tree, frozenset(unknowns)) for tree in side] for side in written]
+        self.both = Residuals(scene, self.trees, Effort(SYSTEM_WORK))
         self.sides = (Side(self.both, 0), Side(self.both, 1))
+        self.written = Written(scene, written, self.trees, self.both.effort)
 
     def known(self, found: Found) -> Found:
         """Give equality up where a branch may have been missed."""
@@ -114,10 +117,12 @@ class Systems:
 
     def by_zeros(self) -> Found:
         """Find zeros of each and test the other there."""
-        shared = [0, 0]
+        shared, enough, unsure = [0, 0], ENOUGH, False
         try:
             for which, zero in self._in_turn():
                 match beside(self.sides[1 - which], zero):
+                    case Beside.OTHER if self.written.vanishes(1 - which, zero):
+                        unsure = True  # what went is zero there
                     case Beside.OTHER | Beside.UNDEFINED:
                         return Found(Finding.DIFFERENT, zero.named(self.scene.names), lost=which == 0)
                     case Beside.ZERO:
@@ -125,13 +130,13 @@ class Systems:
                     case Beside.UNSURE:
                         return UNDECIDED
         except TooMuchWork:
-            return EQUAL if min(shared) >= AT_LEAST and not self._found.points else UNDECIDED
-        return EQUAL if min(shared) >= ENOUGH else UNDECIDED
+            enough, unsure = AT_LEAST, unsure or bool(self._found.points)
+        return EQUAL if min(shared) >= enough and not unsure else UNDECIDED
 
     def _in_turn(self) -> Iterator[tuple[int, Zero]]:
         """Give zeros in every branch, then enough zeros of both sides, one after the other."""
         for start, which in product(self._found.points, (0, 1)):
-            zero = projected(self.sides[which], start, self.unknowns)
+            zero = self._projected(which, start, self.unknowns)
             if zero is not None:
                 yield which, zero
         sources = [self._zeros(0), self._zeros(1)]
@@ -143,25 +148,31 @@ class Systems:
 
     def _zeros(self, which: int) -> Iterator[Zero]:
         """Give zeros of a side near points all over the box: all symbols move, the unknowns alone, or the others."""
-        side, used = self.sides[which], used_symbols(self.scene, self.trees[which])
+        used = used_symbols(self.scene, self.trees[which])
         others = [at for at in used if at not in self.unknowns]
         moving = (used, self.unknowns, others)
         for k, start in enumerate(self.starts):
-            zero = projected(side, start, moving[k % 3])
+            zero = self._projected(which, start, moving[k % 3])
             if zero is not None:
                 yield zero
-                yield from self._assemblies(side, zero, k)
+                yield from self._assemblies(which, zero, k)
 
-    def _assemblies(self, side: Side, zero: Zero, number: int) -> Iterator[Zero]:
+    def _assemblies(self, which: int, zero: Zero, number: int) -> Iterator[Zero]:
         """Look for other solutions with the same parameters."""
         points = self.scene.points
         for k in range(OTHERS):
             start = [float(x) for x in zero.point]
             for at in self.unknowns:
                 start[at] = points[(OTHERS * number + k + 1) % len(points)][at]
-            other = projected(side, start, self.unknowns)
+            other = self._projected(which, start, self.unknowns)
             if other is not None:
                 yield other
+
+    def _projected(self, which: int, start: Sequence[float], moving: Sequence[int]) -> Zero | None:
+        """Give a zero of a side near a point, if it is one as the side was written too."""
+        zero = projected(self.sides[which], start, moving)
+        holds = zero is not None and (not self.written.shorter(which) or self.written.holds(which, zero))
+        return zero if holds else None
 
     @cached_property
     def starts(self) -> list[list[float]]:

@@ -44,6 +44,10 @@ def test_the_judge_passes_its_own_samples() -> None:
         ("sign(l1*sin(α1) + l2*sin(α2) - h)/(1 + α2^2) = 0", Code.UNDECIDED, 0),  # its slope is anything
         ("sqrt(h - l1*sin(α1) - l2*sin(α2)) = l1*sin(α1) + l2*sin(α2) - h", Code.UNDECIDED, 0),  # no value behind
         ("0 = 1", Code.NOT_SATISFIED, 0),
+        ("sqrt(-1)*(l1*sin(α1) + l2*sin(α2) - h) = 0", Code.NOT_SATISFIED, 0),
+        ("arcsin(2 + l1)*(l1*sin(α1) + l2*sin(α2) - h) = 0", Code.NOT_SATISFIED, 0),
+        ("sqrt(l1*sin(α1) + l2*sin(α2) - h) = 0", Code.RIGHT, 1),
+        ("sqrt(l1)*(l1*sin(α1) + l2*sin(α2) - h) = 0", Code.RIGHT, 1),
         ("(l2*sin(α2))^2 = (h - l1*sin(α1))^2", Code.SURPLUS_SOLUTION, 0.5),
     ],
 )

@@ -14,7 +14,8 @@ from graders.language.balls import precision
 from graders.language.doubles import DOUBLES, UndefinedError, run
 from graders.language.program import Builder, Runner
 from graders.language.tree import Relation
-from graders.solutions.equations import Found, Pair, compare_equations
+from graders.solutions.equations import Pair, compare_equations
+from graders.solutions.found import Found
 from graders.solutions.reduction import degrees, degrees_along, reduced, residual
 from graders.solutions.scene import BITS, WORK, scene_of
 from tests.graders.effort import effort

@@ -8,7 +8,7 @@ from graders.equality import Finding
 from graders.language import Symbols, parse
 from graders.language.balls import precision
 from graders.language.tree import Relation
-from graders.solutions.equations import Found
+from graders.solutions.found import Found
 from graders.solutions.inequalities import INEQUALITY_WORK, Regions, compare_inequalities
 from graders.solutions.scene import BITS, scene_of
 from tests.graders.effort import effort

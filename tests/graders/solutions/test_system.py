@@ -36,6 +36,7 @@ def test_the_judge_passes_its_own_samples() -> None:
         ("l3 = l1 cos α1 - l2 cos α2; l1 sin α1 - l2 sin α2 = h", Code.NOT_SATISFIED, 0),
         ("l3 = l1 cos α1 + l2 cos α2; 2*l3 = 2*l1*cos(α1) + 2*l2*cos(α2)", Code.UNDETERMINED, 0),
         ("l3 = l1 cos α1 + l2 cos α2", Code.UNDETERMINED, 0),
+        ("l3 = l1 cos α1 + l2 cos α2; √(-l1)*(l1 sin α1 + l2 sin α2 - h) = 0", Code.SOME_EQUATIONS, 0.25),
         ("l3 = l1 cos α1 + l2 cos α2; (l3 - l1 cos α1)² + (h - l1 sin α1)² = l2²", Code.SURPLUS_SOLUTION, 0.5),
     ],
 )
@@ -91,6 +92,12 @@ def test_systems_of_other_states_are_far_apart() -> None:
     other = Formula(parse_line("l1*cos(alpha1) - 2*l2*cos(alpha2)"), L3.states)
     assert CRANK.apart(L3, slip) == CRANK.apart(slip, L3) == inf
     assert CRANK.apart(L3, L3) == CRANK.apart(slip, other) == 0
+
+
+def test_a_system_is_far_from_states_without_a_value() -> None:
+    nothing = Formula(parse_line("sqrt(-1 - l1)"), L3.states)
+    assert CRANK.apart(L3, nothing) == CRANK.apart(nothing, L3) == inf
+    assert verdict(CRANK, "; ".join(CLOSURE), nothing, GIVEN).code is Code.UNDECIDED
 
 
 def test_a_system_of_the_author_that_is_none_stops_the_program() -> None:

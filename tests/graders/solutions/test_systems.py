@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from graders.equality import Finding
-from graders.solutions.equations import Found
+from graders.solutions.found import Found
 from graders.solutions.systems import compare_systems
 from tests.graders.effort import effort
 from tests.graders.solutions.boxes import RANGES, SCENE, relation
@@ -32,6 +32,8 @@ EQUAL = [
     (("y", "z"), SUM, ("y = (a + b)/2", "z = (a - b)/2")),
     (("y", "z"), SUM, ("(y + z - a)^2 = 0", "y - z = b")),
     (("y", "z"), ("y + z = a", "y*z = b"), ("z = a - y", "y^2 - a*y + b = 0")),
+    (("x", "z"), ("sqrt(y)*(x - a) = 0", "z = a"), ("sqrt(y)*x - sqrt(y)*a = 0", "z = a")),
+    (("y", "z"), ("y*sqrt(z - b) = a*sqrt(z - b)", "z = x"), ("(y - a)*sqrt(z - b) = 0", "z = x")),
     (("x", "y", "z"), ("x + y = a", "y + z = b", "x + z = a + b"), ("x = a", "y = 0", "z = b")),
 ]  # fmt: skip
 DIFFERENT = [
@@ -61,6 +63,20 @@ def test_the_same_solutions_are_equal_either_way(
 ) -> None:
     assert compared(unknowns, one, other).finding is Finding.EQUAL
     assert compared(unknowns, other, one).finding is Finding.EQUAL
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (("y*(x^2 - a) = 0", "x + z^2 = a"), ("y*x^2 - y*a = 0", "(x + z^2 - a)*(1 + z^2) = 0")),
+        (("(a^2*y*<<3>^1>^2 - 0)*(2 + sin(x)) = 0", "z = a"), ("a^2*y*<<3>^1>^2 = 0", "z = a")),
+    ],
+)
+def test_where_what_went_is_zero_the_same_systems_are_not_different(
+    one: tuple[str, ...], other: tuple[str, ...]
+) -> None:
+    assert compared(("x", "z"), one, other).finding is not Finding.DIFFERENT
+    assert compared(("x", "z"), other, one).finding is not Finding.DIFFERENT
 
 
 @pytest.mark.parametrize(("unknowns", "one", "other", "lost"), DIFFERENT)
