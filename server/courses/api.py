@@ -110,10 +110,18 @@ class RosterLine(BaseModel):
 
 
 class Unread(BaseModel):
-    """A line that cannot be used."""
+    """A line that cannot be used; where it `repeats` the login of another line, which."""
 
     line: int
     code: str
+    repeats: int | None = None
+
+
+class Repeated(BaseModel):
+    """A line that says the same as the line it `repeats`, and is passed over."""
+
+    line: int
+    repeats: int
 
 
 class RosterColumn(BaseModel):
@@ -131,6 +139,7 @@ class Planned(BaseModel):
     columns: list[RosterColumn]
     above: list[int]
     changes: list[RosterLine]
+    repeated: list[Repeated]
     unread: list[Unread]
     applied: bool
 
@@ -206,8 +215,11 @@ async def import_roster(course: str, body: Roster, bench: Tools, reader: Asking)
         RosterLine(login=c.row.login, name=c.row.name, group=c.row.group, what=c.what, known=c.known) for c in changes
     ]
     columns = [RosterColumn(number=one.number, heading=one.heading, meaning=one.meaning) for one in read.columns]
-    unread = [Unread(line=line.line, code=line.code) for line in read.unread]
-    return Planned(columns=columns, above=list(read.above), changes=lines, unread=unread, applied=body.apply)
+    repeated = [Repeated(line=one.line, repeats=one.repeats) for one in read.repeated]
+    unread = [Unread(line=line.line, code=line.code, repeats=line.repeats) for line in read.unread]
+    return Planned(
+        columns=columns, above=list(read.above), changes=lines, repeated=repeated, unread=unread, applied=body.apply
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)

@@ -93,6 +93,7 @@ async def import_roster(course: str, request: Request, bench: Tools, reader: Ask
         "unread": [(line.line, _reason(reader, line)) for line in read.unread],
         "columns": [(one.value, [c for c in read.columns if c.meaning is one]) for one in Meaning],
         "above": read.above,
+        "repeated": read.repeated,
     }
     return page(request, reader.language, "roster.html", context, path=f"/courses/{course}")
 
@@ -111,7 +112,7 @@ async def _posted(request: Request, reader: Reader) -> Mapping[str, str]:
 
 
 def _reason(reader: Reader, line: rosters.Unread) -> str:
-    return say(reader.language, f"errors.{line.code}")
+    return say(reader.language, f"errors.{line.code}", line=line.repeats)
 
 
 def _back(course: str) -> Response:

@@ -22,21 +22,31 @@ PAGES = ("cp1250", "cp1251")  # of Windows
 
 @dataclass(frozen=True, slots=True)
 class Unread:
-    """A line that cannot be used, counted from 1, and the code of the reason."""
+    """A line that cannot be used, counted from 1, and the code of the reason; the line above that has its login."""
 
     line: int
     code: str
+    repeats: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Repeated:
+    """A line that says the same as another one above it, and is passed over."""
+
+    line: int
+    repeats: int
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What was read of a roster: its students, lines that cannot be used, what the columns hold, and the lines above
-    the headings, which say nothing of students."""
+    """What was read of a roster: its students, lines that cannot be used, what the columns hold, the lines above
+    the headings, which say nothing of students, and those that only repeat another line."""
 
     rows: tuple[Row, ...]
     unread: tuple[Unread, ...]
     columns: tuple[Column, ...]
     above: tuple[int, ...]
+    repeated: tuple[Repeated, ...] = ()
 
 
 def decoded(raw: bytes, language: str) -> str:
@@ -92,7 +102,7 @@ def read(text: str) -> Reading:
         raise Refused(422, "long_roster", field="roster", most=MOST_ROWS)
     delimiter = _delimiter(lines)
     begin, columns = _headed(lines, delimiter)
-    rows: list[Row] = []
+    students: list[tuple[int, Row]] = []
     unread: list[Unread] = []
     filled: set[int] = set()
     for number, line in enumerate(lines[begin:], begin + 1):
@@ -100,12 +110,28 @@ def read(text: str) -> Reading:
             cells = _cells(line, delimiter)
             filled |= {at for at, cell in enumerate(cells, 1) if cell}
             if any(cells):
-                rows.append(_row(cells, columns, rows))
+                students.append((number, _row(cells, columns)))
         except Refused as refused:
             unread.append(Unread(number, refused.code))
+    rows, twice, repeated = _once(students)
     above = [number for number, line in enumerate(lines[: max(0, begin - 1)], 1) if line.strip(" ;,\t")]
     told = [one for one in columns if one.number in filled or one.heading]
-    return Reading(tuple(rows), tuple(unread), tuple(told), tuple(above))
+    unusable = sorted([*unread, *twice], key=lambda one: one.line)
+    return Reading(rows, tuple(unusable), tuple(told), tuple(above), repeated)
+
+
+def _once(students: Sequence[tuple[int, Row]]) -> tuple[tuple[Row, ...], list[Unread], tuple[Repeated, ...]]:
+    """Take each login once; a line that says of it what another one said, and no more, does no harm."""
+    first: dict[str, tuple[int, Row]] = {}
+    twice: list[Unread] = []
+    repeated: list[Repeated] = []
+    for number, row in students:
+        line, known = first.setdefault(row.login, (number, row))
+        if known != row:
+            twice.append(Unread(number, "twice_in_roster", line))
+        elif line != number:
+            repeated.append(Repeated(number, line))
+    return tuple(row for _, row in first.values()), twice, tuple(repeated)
 
 
 def _headed(lines: Sequence[str], delimiter: str) -> tuple[int, tuple[Column, ...]]:
@@ -141,7 +167,7 @@ def _cells(line: str, delimiter: str) -> list[str]:
         raise Refused(422, "bad_quotes") from None
 
 
-def _row(cells: Sequence[str], columns: Sequence[Column], before: Sequence[Row]) -> Row:
+def _row(cells: Sequence[str], columns: Sequence[Column]) -> Row:
     if any(cells[len(columns) :]):
         raise Refused(422, "many_columns" if columns is IN_ORDER else "surplus_cells")
     login = login_of(_held(cells, columns, Meaning.LOGIN))
@@ -149,8 +175,6 @@ def _row(cells: Sequence[str], columns: Sequence[Column], before: Sequence[Row])
     group = _held(cells, columns, Meaning.GROUP)
     if group and (len(group) > MOST_GROUP or not group.isprintable() or group[0] in "=+-@"):
         raise Refused(422, "bad_group")
-    if any(row.login == login for row in before):
-        raise Refused(422, "twice_in_roster")
     return Row(login, name, group)
 
 

@@ -88,7 +88,7 @@ def test_an_export_is_read_by_its_headings_and_what_is_left_out_is_told() -> Non
         ("3002", "Nowak Jan Maria", "12B"),
         ("3003", "Krótki", ""),
     ]
-    assert [(one.line, one.code) for one in read.unread] == [(8, "twice_in_roster"), (10, "surplus_cells")]
+    assert read.unread == (rosters.Unread(8, "twice_in_roster", 5), rosters.Unread(10, "surplus_cells"))
     assert meant(read) == {"unused": [1, 6, 7], "login": [2], "name": [3, 4, 5], "group": [8]}
     assert read.above == (1, 2)
 
@@ -167,3 +167,27 @@ def test_a_file_that_is_too_large_or_missing_is_refused(school: School) -> None:
     broken = {"content-type": "multipart/form-data; boundary=x"}
     assert lecturer.post(path, content=b"--y\r\n\r\n", headers=broken).status_code == 422
     assert school.browser("assistant").post(path, files=two).status_code == 403
+
+
+@pytest.mark.parametrize(
+    ("language", "passed", "refused"),
+    [
+        ("pl", "Pominięte wiersze, które tylko powtarzają wcześniejszy: 3 (jak 1), 5 (jak 2).", "stoi już w wierszu 2"),
+        ("en", "because they only repeat an earlier one: 3 (same as 1), 5 (same as 2).", "stands in line 2 already"),
+        ("ru", "лишь повторяют более раннюю: 3 (как 1), 5 (как 2).", "уже есть в строке 2"),
+    ],
+)
+def test_a_line_that_repeats_another_is_passed_over_or_told_by_the_line_it_repeats(
+    school: School, language: str, passed: str, refused: str
+) -> None:
+    lecturer, path = school.browser("lecturer"), f"courses/{school.course}/roster"
+    again = "3001;Ann;A\n3002;Bob;B\n3001 ; Ann;A\n\n3002;Bob;B\n"
+    page = unescape(lecturer.post(f"/{path}?lang={language}", data={"roster": again}).text)
+    assert passed in page and 'role="alert"' not in page
+    page = unescape(lecturer.post(f"/{path}?lang={language}", data={"roster": again + "3002;Bob;A\n"}).text)
+    assert passed in page and refused in page
+    told = lecturer.post(f"/api/v1/{path}", json={"csv": again, "apply": True}).json()
+    assert told["applied"] and told["unread"] == [] and [one["login"] for one in told["changes"]] == ["3001", "3002"]
+    assert told["repeated"] == [{"line": 3, "repeats": 1}, {"line": 5, "repeats": 2}]
+    told = lecturer.post(f"/api/v1/{path}", json={"csv": "3001;Ann\n3001;Eve\n", "apply": False}).json()
+    assert told["unread"] == [{"line": 2, "code": "twice_in_roster", "repeats": 1}]

@@ -163,7 +163,7 @@ def test_a_lecturer_runs_a_course(school: School) -> None:
     page = made.headers["location"]
     assert lecturer.post(f"{page}/groups", data={"name": "Tuesday"}).status_code == 303
     assert lecturer.post(f"{page}/groups", data={"name": "Tuesday"}).status_code == 409
-    text = "Nr indeksu;Imię;Grupa\n3001;Ewa;Tuesday\n3002;Jan;Friday\n\n3002;Jan;Friday\n3003;=1+1;\n3004"
+    text = "Nr indeksu;Imię;Grupa\n3001;Ewa;Tuesday\n3002;Jan;Friday\n\n3002;Jan;Tuesday\n3003;=1+1;\n3004"
     shown = lecturer.post(f"{page}/roster", data={"roster": text}, headers=EN).text
     assert all(f"line {number}:" in shown for number in (5, 6, 7)) and 'name="apply"' not in shown
     refused = lecturer.post(f"{page}/roster", data={"roster": text, "apply": "yes"})
