@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from functools import partial
 from typing import Any
 
@@ -31,6 +32,7 @@ from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import clock
 from server.sets.api import set_of
+from server.sets.handing import told_results
 from server.sets.pages import title_of
 from server.web.errors import Refused
 from server.web.language import say
@@ -99,12 +101,18 @@ async def show_course(course: str, request: Request, bench: Tools, reader: Askin
 
 
 @router.get("/sets/{task_set}/students/{person}")
-async def show_student(task_set: str, person: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
-    """Show a student's work in a set as the student saw it, with the forms to mark it."""
-    found = await history(bench, await set_of(bench, reader, task_set), person)
-    given = await bench.sets.accommodations(task_set)
+async def show_student(
+    task_set: str, person: str, request: Request, bench: Tools, reader: Asking, reopened: bool = False
+) -> HTMLResponse:
+    """Show a student's work in a set as the student saw it, with the forms to mark it; `reopened` when extra time has
+    just opened an examination again."""
+    its_set, given = await set_of(bench, reader, task_set), await bench.sets.accommodations(task_set)
+    found = await history(bench, its_set, person)
+    most = max((minutes for minutes, _ in given.values()), default=0)
     context = {
-        "task_set": await set_of(bench, reader, task_set),
+        "task_set": its_set,
+        "reopened": reopened,
+        "results_told": told_results(its_set, found.row.window, most, datetime.now(UTC)),
         "found": found,
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "reason": given.get(person, (0, ""))[1],

@@ -40,7 +40,7 @@ from server.sets.shapes import (
 )
 from server.sets.standing import final, standing
 from server.sets.wording import said
-from server.storage.audit import Action
+from server.storage.audit import Action, Detail
 from server.storage.courses import Course
 from server.storage.jobs import FAILED, Busy, Job
 from server.storage.sets import NotADraft, Slot, TaskSet
@@ -145,9 +145,12 @@ async def list_accommodations(task_set: str, bench: Tools, reader: Asking) -> li
 
 @router.put("/task-sets/{task_set}/accommodations/{person}", responses=HERE)
 async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> GivenTime:
-    """Give a student more time; it moves the deadlines and the time limit, also of work under way."""
-    await more_time(bench, reader, task_set, person, body)
-    return GivenTime(person=person, minutes=body.minutes, reason=body.reason)
+    """Give a student more time; it moves the deadlines and the time limit, also of work under way.
+
+    `reopened` warns that it opens an examination again whose results and solutions the student may have seen.
+    """
+    again = await more_time(bench, reader, await set_of(bench, reader, task_set), person, body)
+    return GivenTime(person=person, minutes=body.minutes, reason=body.reason, reopened=again)
 
 
 @router.post("/task-sets/{task_set}/extend", responses=HERE)
@@ -219,16 +222,19 @@ async def print_class(
     return await shown_job(bench, number)
 
 
-async def more_time(bench: Bench, reader: Reader, task_set: str, person: str, given: MoreTime) -> None:
-    """Give a student of the course more time in a set.
+async def more_time(bench: Bench, reader: Reader, task_set: TaskSet, person: str, given: MoreTime) -> bool:
+    """Give a student of the course more time in a set; tells whether that opens it again after its results were shown.
 
     Raises:
         Refused: 404, the person is no student of the course.
     """
     if await bench.courses.role(here(reader).course.id, person) != "student":
         raise Refused(404, "unknown_member")
-    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set, minutes=given.minutes)
-    await bench.sets.accommodate(task_set, person, given.minutes, given.reason, entry)
+    again = await handing.reopens(bench, task_set, person, given.minutes, datetime.now(UTC))
+    told: dict[str, Detail] = {"reopened": True} if again else {}
+    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set.id, minutes=given.minutes, **told)
+    await bench.sets.accommodate(task_set.id, person, given.minutes, given.reason, entry)
+    return again
 
 
 async def printed(bench: Bench, reader: Reader, task_set: TaskSet, most: int | None) -> str:

@@ -142,8 +142,9 @@ async def give_time(task_set: str, person: str, request: Request, bench: Tools, 
     values = (await forms.read(request)).values
     minutes = _whole(values.get("minutes", ""), "minutes", 0, 100_000)
     reason = printable(values.get("reason", "").strip())
-    await more_time(bench, reader, task_set, person, MoreTime(minutes=minutes, reason=reason))
-    return RedirectResponse(f"/sets/{task_set}/students/{person}", 303)
+    given = MoreTime(minutes=minutes, reason=reason)
+    again = await more_time(bench, reader, await set_of(bench, reader, task_set), person, given)
+    return RedirectResponse(f"/sets/{task_set}/students/{person}" + ("?reopened=true" if again else ""), 303)
 
 
 @router.post("/sets/{task_set}/items/{number}")

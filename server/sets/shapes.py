@@ -149,11 +149,13 @@ class ListedTaskSet(BaseModel):
 
 
 class GivenTime(BaseModel):
-    """The minutes more that a student has."""
+    """The minutes more that a student has; `reopened` where giving them opened an examination again whose results the
+    student may have seen."""
 
     person: str
     minutes: int
     reason: str
+    reopened: bool = False
 
 
 def listed_set(found: TaskSet) -> ListedTaskSet:

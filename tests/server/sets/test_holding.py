@@ -231,3 +231,30 @@ def test_an_exercise_is_reserved_as_long_as_anybody_may_hand_in(course: Course) 
     give_time(course, slow, 60)
     assert code_of(course.student.post(seeded, json={"seed": 7})) == (403, "reserved")
     give_time(course, slow, 0)
+
+
+def test_extra_time_that_opens_an_examination_again_warns_and_is_written_down(course: Course) -> None:
+    number, person = course.published(rules={"mode": "exam"}), course.school.people["student"]
+    course.variant(number)
+    page, api = f"/sets/{number}/students/{person}", f"/api/v1/task-sets/{number}/accommodations/{person}"
+    warning, told = "have been shown. Extra time can open it again", "The examination is open again for this student"
+    assert warning not in course.lecturer.get(f"{page}?lang=en").text
+    assert course.lecturer.put(api, json={"minutes": 5}).json()["reopened"] is False  # nothing has been shown yet
+    course.move(number, minutes=10)
+    assert warning in course.lecturer.get(f"{page}?lang=en").text
+    assert course.lecturer.put(api, json={"minutes": 6}).json()["reopened"] is False  # it stays closed
+    assert course.lecturer.put(api, json={"minutes": 60}).json()["reopened"] is True
+    assert course.lecturer.put(api, json={"minutes": 61}).json()["reopened"] is False  # it is open already
+    log = f"/courses/{course.school.course}/audit?lang=en"
+    assert course.lecturer.get(log).text.count("opened after its results were shown: yes") == 1
+    course.lecturer.put(api, json={"minutes": 0})
+    given = course.lecturer.post(f"{page}/time?lang=en", data={"minutes": "60", "reason": ""})
+    assert told in course.lecturer.get(f"{given.headers['location']}&lang=en").text
+    assert told not in course.lecturer.get(f"{page}?lang=en").text
+
+
+def test_extra_time_in_practice_warns_of_nothing(course: Course) -> None:
+    number, person = course.published(), course.school.people["student"]
+    course.move(number, minutes=10)
+    api = f"/api/v1/task-sets/{number}/accommodations/{person}"
+    assert course.lecturer.put(api, json={"minutes": 60}).json()["reopened"] is False
