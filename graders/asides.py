@@ -21,7 +21,7 @@ ROUGHLY = re.compile(
 )
 NAMED = re.compile(rf" *(?:{LETTER}(?:{LETTER}|[0-9_₀-₉])* *)?[=≈] *")  # `R_A = 12 kN`, `= 12 kN`
 TIE = re.compile(r"(?<=\d)~(?=[^\W\d])")  # 12~kN
-LETTERED = re.compile(r"(?:(?<=\d)|(?<=\d[.,]))(?:[OoОо](?![^\W\d_OoОо])|[lI](?=\d))|(?<!\w)[OoОо](?=[.,]\d)")
+LETTERED = re.compile(r"(?:(?<=\d)|(?<=\d[.,]))(?:[OoОо]+(?![^\W\d_])|[lI](?=\d))|(?<!\w)[OoОо](?=[.,]\d)")
 FIGURES = {"l": "1", "I": "1"}  # the others look like 0
 LITERAL = re.compile(r"\d[\d.,]*")
 DRAWN = re.compile(r"\\(?:mathrm|d?frac)|[\\{}()/\s]")  # what a derivative is drawn with besides its letters
@@ -59,7 +59,7 @@ def refuse_letters(text: str) -> None:
     found = LETTERED.search(text)
     if found is None:
         return
-    mended = LETTERED.sub(lambda one: FIGURES.get(one.group(), "0"), text)
+    mended = LETTERED.sub(lambda one: FIGURES.get(one.group(), "0" * len(one.group())), text)
     number = next(one.group() for one in LITERAL.finditer(mended) if one.end() > found.start())
     raise AnswerSyntaxError(Reason.BAD_CHARACTER, found.start(), found.group(), number)
 
