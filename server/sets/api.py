@@ -33,6 +33,7 @@ from server.sets.shapes import (
     MyTaskSet,
     NewCard,
     NewTaskSet,
+    NewTime,
     ShownTaskSet,
     listed_set,
     my_set,
@@ -144,13 +145,13 @@ async def list_accommodations(task_set: str, bench: Tools, reader: Asking) -> li
 
 
 @router.put("/task-sets/{task_set}/accommodations/{person}", responses=HERE)
-async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> GivenTime:
+async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> NewTime:
     """Give a student more time; it moves the deadlines and the time limit, also of work under way.
 
     `reopened` warns that it opens an examination again whose results and solutions the student may have seen.
     """
     again = await more_time(bench, reader, await set_of(bench, reader, task_set), person, body)
-    return GivenTime(person=person, minutes=body.minutes, reason=body.reason, reopened=again)
+    return NewTime(person=person, minutes=body.minutes, reason=body.reason, reopened=again)
 
 
 @router.post("/task-sets/{task_set}/extend", responses=HERE)

@@ -149,13 +149,18 @@ class ListedTaskSet(BaseModel):
 
 
 class GivenTime(BaseModel):
-    """The minutes more that a student has; `reopened` where giving them opened an examination again whose results the
-    student may have seen."""
+    """The minutes more that a student has."""
 
     person: str
     minutes: int
     reason: str
-    reopened: bool = False
+
+
+class NewTime(GivenTime):
+    """The minutes more that were given; `reopened` where that opened an examination again whose results the student may
+    have seen."""
+
+    reopened: bool
 
 
 def listed_set(found: TaskSet) -> ListedTaskSet:
