@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
-from server.sets.form import MOMENTS, flat, label, typed, unflat
+from server.sets.form import MOMENTS, POOL, flat, label, typed, unflat
 from server.web.language import words
 
 Fields = Mapping[str, str]
-POOLS = ".pool"
 NUMBERS = frozenset({"points", "attempts", "limits", "late_loss", "hint_price", "follow_through", "minutes"})
 LIST = "list"  # names all tasks together
 
@@ -50,7 +49,7 @@ def clash(language: str, values: Mapping[str, str], stored: Mapping[str, Any], t
         language: Of the reader.
         values: The form as it was posted; `base` holds what stood in it when it was loaded.
         stored: The values of the form for the set as it is stored now.
-        titles: Of sets, by number.
+        titles: Of sets and of exercises, by number and by id.
     """
     base, mine, theirs = _base(values.get("base", "")), flat(typed(values)), flat(stored)
     parts = _parts(base, mine, theirs)
@@ -81,7 +80,7 @@ def _parts(base: Fields, mine: Fields, theirs: Fields) -> list[str]:
 
 
 def _pools(fields: Fields) -> list[str]:
-    return [text for name, text in fields.items() if name.endswith(POOLS)]
+    return [text for name, text in fields.items() if name.endswith(POOL)]
 
 
 def _of(part: str, fields: Fields) -> dict[str, str]:
@@ -117,9 +116,14 @@ def _marked(language: str, name: str, text: str) -> str:
     return text.replace(".", ",") if number and language != "en" else text
 
 
+def _titled(text: str, name: str, titles: Mapping[str, str]) -> str:
+    """Write a pool by the titles of its exercises."""
+    return ", ".join(titles.get(one, one) for one in text.split()) if name.endswith(POOL) else text
+
+
 def _said(language: str, part: str, fields: Fields, titles: Mapping[str, str]) -> str:
     """Say what stands in a field, or in all tasks, as the page does."""
-    found = {name: _marked(language, name, text) for name, text in _of(part, fields).items()}
+    found = {name: _titled(_marked(language, name, text), name, titles) for name, text in _of(part, fields).items()}
     if part == LIST:
         tasks = groupby(found.items(), key=lambda one: one[0].split(".")[1])
         return "; ".join(" ".join(filter(None, (text for _, text in texts))) for _, texts in tasks) or "—"

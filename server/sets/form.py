@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 from zoneinfo import ZoneInfo
 
+from exercises import catalogue
+from server.answering.forms import Form
 from server.sets.building import MOST_SLOTS
 from server.sets.clock import local
 from server.sets.handing import rules_of
@@ -16,6 +18,7 @@ from server.web.errors import Refused, printable
 from server.web.language import say, words
 
 MOMENTS = ("opens", "due", "closes")
+POOL = ".pool"
 OF_SLOT = ("pool", "points", "attempts", "limits")
 OF_SET = (
     "title", *MOMENTS, "mode", "minutes", "late", "late_loss", "keep", "hints", "hint_price", "solutions",
@@ -29,7 +32,7 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
     slots = [
         {
             "number": slot.number,
-            "pool": " ".join(slot.pool),
+            "pool": " ".join(_by_chapter(slot.pool)),
             "points": slot.points,
             "attempts": slot.attempts or "",
             "limits": "; ".join(f"{name} {low:g} {high:g}" for name, (low, high) in slot.limits.items()),
@@ -39,6 +42,27 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
     shown = {name: local(moment, place) if moment else "" for name, moment in moments.items()}
     form = {**shown, **_written(rules_of(task_set)), "title": task_set.title, "add": "", "slots": slots}
     return form | {"revision": task_set.revision, "base": json.dumps(flat(form), ensure_ascii=False)}
+
+
+def _by_chapter(pool: Iterable[str]) -> list[str]:
+    """Put exercises in the order in which the form offers them; what is not in the catalogue stands last."""
+    places = {one: place for place, one in enumerate(catalogue.ids())}
+    return sorted(pool, key=lambda one: places.get(one, len(places)))
+
+
+def shelves(titles: Mapping[str, str], pool: Iterable[str]) -> dict[str, list[tuple[str, str]]]:
+    """Give the exercises by chapter, each with its title; under no chapter those of a pool that are in none."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for one in titles:
+        found.setdefault(catalogue.chapter_of(one), []).append((one, titles[one]))
+    gone = [(one, one) for one in pool if one not in titles]
+    return {**found, **({"": gone} if gone else {})}
+
+
+def joined(form: Form) -> dict[str, str]:
+    """Give the fields of the form, each pool as one text: its exercises are ticked one by one."""
+    pools = {name: " ".join(" ".join(texts).split()) for name, texts in form.every.items() if name.endswith(POOL)}
+    return {**form.values, **pools}
 
 
 def flat(form: Mapping[str, Any]) -> dict[str, str]:

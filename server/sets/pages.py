@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
+from functools import partial
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Path, Query, Request
@@ -24,7 +25,7 @@ from server.sets import building, clock, publishing
 from server.sets.api import copied, listed, more_time, own_variant, printed, published, set_of, slot_of
 from server.sets.building import Draft
 from server.sets.clash import clash
-from server.sets.form import draft_of_form, problem, typed, written
+from server.sets.form import draft_of_form, joined, problem, shelves, typed, written
 from server.sets.previewing import preview
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
@@ -78,7 +79,7 @@ async def show_set(
 @router.post("/sets/{task_set}")
 async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Save the draft as the form has it, and publish it if that was asked."""
-    old, values = await set_of(bench, reader, task_set), (await forms.read(request)).values
+    old, values = await set_of(bench, reader, task_set), joined(await forms.read(request))
     kept = typed(values)
     try:
         new = await _changed(bench, reader, old, values)
@@ -111,7 +112,7 @@ def _loaded(form: Mapping[str, Any]) -> dict[str, Any]:
 async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]) -> Response:
     """Give back what was typed into a draft that has changed meanwhile, with who changed what, to save or to let go."""
     found = await set_of(bench, reader, number)
-    titles = {one.id: one.title for one in await bench.sets.of(found.course)}
+    titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await _titles(bench, reader.language)
     stored = written(found, clock.zone(here(reader).course.time_zone))
     both = clash(reader.language, values, stored, titles)
     if not both.mine and not both.theirs:
@@ -231,6 +232,7 @@ async def _builder(
     place = clock.zone(here(reader).course.time_zone)
     job = await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None
     dealt = await bench.jobs.progress(job.id) if job else ()
+    titles = await _titles(bench, reader.language)
     unfit = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
     context = {
         "task_set": found,
@@ -249,10 +251,16 @@ async def _builder(
         "seen": await bench.judging.run(preview, slot.pool[0], seed, reader.language, table, slot.limits)
         if slot
         else None,
-        "catalogue": [(one, await title_of(bench, one, reader.language)) for one in catalogue.ids()],
+        "titles": titles,
+        "shelves": partial(shelves, titles),
     }
     status = refused.status_code if refused else status
     return page(request, reader.language, "builder.html", {**context, **told, **_common(reader)}, status=status)
+
+
+async def _titles(bench: Bench, language: str) -> dict[str, str]:
+    """Give the titles of all exercises in a language, by chapter."""
+    return {one: await title_of(bench, one, language) for one in catalogue.ids()}
 
 
 def _may_be_first(one: TaskSet, second: TaskSet) -> bool:

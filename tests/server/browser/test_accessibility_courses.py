@@ -89,6 +89,11 @@ def fresh_link(page: Page) -> None:
     page.wait_for_selector("[role=status] code")
 
 
+def shelf(page: Page) -> None:
+    page.locator(".shelf summary").first.press("Enter")
+    page.wait_for_selector(".shelf input:visible")
+
+
 def refused_draft(page: Page) -> None:
     page.fill("[name='slot.2.points']", "many")
     follow(page, "button[name=then]")
@@ -141,6 +146,7 @@ STATES: dict[str, tuple[str | None, str, Callable[[Page], None] | None]] = {
     "reports": ("lecturer", "/problems", None),
     "sets": ("lecturer", "sets", None),
     "builder": ("lecturer", "draft", None),
+    "choice of exercises": ("lecturer", "draft", shelf),
     "refused builder": ("lecturer", "draft", refused_draft),
     "draft changed twice": ("lecturer", "draft", clashed_draft),
     "work of a student": ("lecturer", "work", extra_time),

@@ -64,6 +64,13 @@ def test_tasks_that_were_moved_or_added_are_taken_as_a_whole() -> None:
     assert found.both == (Row("Tasks", "b 1; a", "a 2; b"),)
 
 
+def test_a_pool_is_told_by_the_titles_of_its_exercises() -> None:
+    stored = unflat(form(slot__1__pool="a c")) | {"revision": 3, "base": "{}"}
+    mine = form(slot__1__pool="b") | {"base": dumps(form())}
+    found = clash("en", mine, stored, {"a": "Four-bar", "b": "Beam"})
+    assert found.both == (Row("Tasks", "Four-bar, c 1; Beam", "Beam 1; Beam"),)
+
+
 def test_without_what_was_loaded_all_that_differs_is_shown_and_what_was_typed_stays() -> None:
     for base in ("", "[", "[1]", "[" * 100_000):
         found = clash("en", form(due="2030-01-31T12:00", second_chance_of="S1") | {"base": base},

@@ -8,13 +8,16 @@ from html import unescape
 from typing import Any
 
 import pytest
+from markupsafe import escape
 from starlette.testclient import TestClient
 
+from exercises import catalogue
 from exercises.givens import numbers
+from exercises.presenting import words_of
 from exercises.variants import deal
 from server.sets import foresight
 from server.sets.foresight import Traits
-from server.sets.form import draft_of_form
+from server.sets.form import draft_of_form, shelves
 from tests.server.sets.conftest import EXERCISE, Course, moment
 
 
@@ -22,6 +25,9 @@ def fields(page: str) -> dict[str, str]:
     """The fields of the builder as the browser would send them."""
     form = page[page.index('name="revision"') - 40 : page.index('name="then"')]
     found = {match[1]: unescape(match[2]) for match in re.finditer(r'name="([\w.]+)"(?:[^>]*?) value="([^"]*)"', form)}
+    for name in {name for name in found if name.endswith(".pool")}:
+        ticked = re.findall(rf'type="checkbox" name="{re.escape(name)}" value="([^"]*)" checked', form)
+        found[name] = " ".join(map(unescape, ticked))
     for match in re.finditer(r'<select id="\w+" name="(\w+)">(.*?)</select>', form, re.DOTALL):
         chosen = re.search(r'value="([^"]*)" selected', match[2])
         found[match[1]] = chosen[1] if chosen else ""
@@ -169,8 +175,8 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
         ),
         (
             "pl",
-            {"slot.1.pool": f"{EXERCISE} four_bar"},
-            "Te zadania różnią się liczbą kroków (slider_crank 4, four_bar 14)",
+            {"slot.1.pool": f"four_bar {EXERCISE}"},
+            "Te zadania różnią się liczbą kroków (four_bar 14, slider_crank 4)",
         ),
         ("ru", {"late_loss": "150"}, "Потеря за день"),
         ("en", {"due": "2026-03-29T02:30"}, "The value of Due is no moment"),
@@ -316,9 +322,42 @@ def test_a_given_that_is_limited_twice_is_refused_by_its_name(course: Course, la
 def test_the_builder_names_the_tasks_of_a_slot_and_has_nothing_to_judge_again_yet(course: Course) -> None:
     number = course.built(item={"exercise": "slider_crank"})
     page = course.lecturer.get(f"/sets/{number}?lang=en").text
-    assert '<p class="help">Slider-crank by the vector polygon</p>' in page
+    assert '<p class="prose flush">Slider-crank by the vector polygon</p>' in page
     page = course.lecturer.get(f"/sets/{number}/regrade?lang=en").text
     assert "Only a published set can be judged again." in page and "<form" not in page.partition("<main")[2]
+
+
+@pytest.mark.parametrize(
+    ("language", "chapter"), [("pl", "Manipulatory"), ("en", "Manipulators"), ("ru", "Манипуляторы")]
+)
+def test_exercises_are_chosen_by_their_titles_under_their_chapters(course: Course, language: str, chapter: str) -> None:
+    number = course.built(item={"exercise": "tmm2_poo"})
+    page = course.lecturer.get(f"/sets/{number}?lang={language}").text
+    shelf = page[page.index('<details class="shelf"') : page.index("</details>")]
+    for one in catalogue.ids():
+        title = escape(words_of(one, language)["title"])
+        assert f'value="{one}"{" checked" if one == "tmm2_poo" else ""}><span>{title}</span>' in shelf
+        assert f'<option value="{one}">{title}</option>' in page
+    assert f"<legend>{chapter}</legend>" in shelf and f'<optgroup label="{chapter}">' in page
+
+
+def test_a_pool_is_made_of_several_choices_and_emptied_by_none(course: Course) -> None:
+    number = course.built(item={"exercise": "tmm2_poo"})
+    values = fields(course.lecturer.get(f"/sets/{number}").text)
+    several: dict[str, Any] = values | {"slot.1.pool": ["", "tmm2_opo", "tmm2_oop"]}
+    assert course.lecturer.post(f"/sets/{number}", data=several).status_code == 303
+    stored = course.lecturer.get(f"/api/v1/task-sets/{number}").json()
+    assert [one["pool"] for one in stored["items"]] == [["tmm2_opo", "tmm2_oop"]]
+    page = course.lecturer.get(f"/sets/{number}?lang=en").text
+    none = fields(page) | {"slot.1.pool": ""}
+    reply = course.lecturer.post(f"/sets/{number}?lang=en", data=none, headers={"accept": "text/html"})
+    assert reply.status_code == 422 and "at least as many different exercises" in reply.text
+    assert '<details class="shelf" open>' in reply.text
+
+
+def test_what_is_not_in_the_catalogue_any_more_is_still_shown_and_can_be_left_out() -> None:
+    found = shelves({"four_bar": "Four-bar linkage"}, ["four_bar", "withdrawn"])
+    assert found == {"linkages": [("four_bar", "Four-bar linkage")], "": [("withdrawn", "withdrawn")]}
 
 
 def test_the_page_says_why_nothing_more_can_be_handed_in(course: Course) -> None:
