@@ -13,7 +13,7 @@ from exercises import catalogue, solving
 from exercises.exercise import Grade, Variant
 from exercises.givens import numbers
 from exercises.solving import Solved
-from exercises.words import Printed, Words, fill, html, indexed, inline, plain, with_unit
+from exercises.words import Printed, Words, fill, html, indexed, inline, named, plain, with_unit
 from figures.picture import Picture
 from graders import Quantity, Value
 from graders.language import parse_line
@@ -63,6 +63,13 @@ class Presented:
     givens: tuple[tuple[str, str], ...]
     answers: dict[str, Field]
     picture: Picture | None
+    givens_named: tuple[str, ...] = ()  # HTML, in the order of the givens; empty where the card is older than the names
+
+    @property
+    def data(self) -> tuple[tuple[str, str, str], ...]:
+        """The givens as name, symbol and value; a name may be empty."""
+        names = self.givens_named or ("",) * len(self.givens)
+        return tuple((name, *pair) for name, pair in zip(names, self.givens, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +108,7 @@ def presented(variant: Variant, lang: str) -> Presented:
         givens=tuple((symbol_mathml(p.name), with_unit(p.number, p.unit, lang)) for p in seen),
         answers={name: _field(solved, name, words, lang) for name in solved.answers},
         picture=entry.picture(variant.givens, lang),
+        givens_named=tuple(inline(named(p, variant.givens, words, lang)) for p in seen),
     )
 
 

@@ -41,16 +41,17 @@ SPOKEN = {
     "to": "→", "infty": "∞", "sqrt": "√", "langle": "⟨", "rangle": "⟩", "ldots": "…", "dots": "…", "prime": "′",
     "left": "", "right": "", "quad": " ", "qquad": " ", ",": " ", ";": " ", " ": " ", "!": "", "%": "%",
 }  # fmt: skip
-REQUIRED = ("title", "summary", "statement", "answers", "mistakes", "figure", "steps")
+REQUIRED = ("title", "summary", "statement", "givens", "answers", "mistakes", "figure", "steps")
 
 
 @dataclass(frozen=True, slots=True)
 class Printed:
-    """A number of a statement as printed: the given's name, the number and the unit."""
+    """A number of a statement as printed: the given's symbol, the number, the unit; of a member its class."""
 
     name: str
     number: str
     unit: str
+    kind: str = ""
 
 
 def read_words(path: Path) -> Words:
@@ -101,12 +102,12 @@ def _listed(name: str, members: tuple[Any, ...], words: Words, lang: str, seen: 
     """Word a drawn list, one line a member, under the class of the member; `{i}` and `{i-1}` are indices."""
     lines = []
     for index, member in enumerate(members, 1):
-        noted: list[Printed] = []
-        text = str(words[name][type(member).__name__])
+        noted, kind = list[Printed](), type(member).__name__
+        text = str(words[name][kind])
         text = text.replace("{i}", f"{{{index}}}").replace("{i-1}", f"{{{index - 1}}}")
         lines.append("- " + BLANKS.sub(" ", fill(text, member, words, lang, noted)).strip())
         if seen is not None:
-            seen.extend(Printed(f"{p.name}{index}", p.number, p.unit) for p in noted)
+            seen.extend(Printed(f"{p.name}{index}", p.number, p.unit, kind) for p in noted)
     return "\n" + "\n".join(lines) + "\n"
 
 
@@ -187,3 +188,13 @@ def indexed(section: Mapping[str, str], name: str) -> str:
     stem = name.rstrip("0123456789")
     index = name[len(stem) :]
     return section[stem + "{i}"].replace("{i}", f"{{{index}}}")
+
+
+def named(given: Printed, givens: Any, words: Words, lang: str) -> str:
+    """Say what a given is called; where members of a list differ in it, each class has a section of its own.
+
+    Raises:
+        KeyError: The words call it nothing.
+    """
+    section = words["givens"]
+    return fill(indexed({**section, **section.get(given.kind, {})}, given.name), givens, words, lang)

@@ -145,9 +145,9 @@ class _Sheet:
     def _data(self) -> Iterator[Block]:
         """The geometry in words, the givens as a table, the conventions."""
         yield next(from_html(self.shown.statement_html))
-        pairs: list[Line] = [(Formula(symbol), f" = {value}") for symbol, value in self.shown.givens]
-        rows = [pairs[at : at + 4] for at in range(0, len(pairs), 4)]
-        yield Table((), tuple(tuple(row) + (("",),) * (4 - len(row)) for row in rows))
+        cells: list[Line] = [_given(*given) for given in self.shown.data]
+        cells += [("",)] * (len(cells) % 2)
+        yield Table((), tuple(zip(cells[::2], cells[1::2], strict=True)))
         yield Paragraph((self.said["conventions"],), quiet=True)
 
     def _equations(self, trees: Sequence[Tree]) -> Iterator[Block]:
@@ -205,6 +205,11 @@ def typed_polygon(variant: Variant, text: str) -> Drawn | None:
     except AnswerSyntaxError:
         return None
     return drawn if isinstance(drawn, Drawn) else None
+
+
+def _given(name: str, symbol: str, value: str) -> Line:
+    """Write a given as the name, the symbol and the value."""
+    return (*line_from_html(name), ": ", Formula(symbol), f" = {value}")
 
 
 def _written(text: str) -> Iterator[Block]:

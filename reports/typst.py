@@ -21,11 +21,9 @@ from reports.document import (
     Paragraph,
     Ruled,
     Table,
-    plain,
 )  # fmt: skip
 from reports.formulas.typst import formula, quoted
 
-SHORT = 18  # letters that fit into a quarter of a page
 PREAMBLE = """#set document(title: {title}, date: none)
 #set page(paper: "a4", margin: (x: 20mm, top: 18mm, bottom: 20mm), numbering: "1 / 1", footer: context [
   #set text(size: 8pt, fill: luma(90))
@@ -100,13 +98,7 @@ def _table(block: Table) -> str:
     head = f"table.header({header}), " if header else ""
     cells = ", ".join(f"[{line(cell)}]" for row in block.rows for cell in row)
     columns = "(" + "1fr, " * (len(block.header) or len(block.rows[0])) + ")"
-    height = "rows: 20pt, " if _is_of_single_lines(block) else ""
-    return f"#table(columns: {columns}, {height}stroke: 0.5pt + luma(140), inset: 6pt, {head}{cells})"
-
-
-def _is_of_single_lines(block: Table) -> bool:
-    """Tell whether no cell surely needs a second line: the engine then need not lay out each to measure its row."""
-    return not block.header and all(len(row) <= 4 and max(map(len, map(plain, row))) <= SHORT for row in block.rows)
+    return f"#table(columns: {columns}, stroke: 0.5pt + luma(140), inset: 6pt, {head}{cells})"
 
 
 def _ruled(block: Ruled) -> str:

@@ -41,8 +41,9 @@ class NewVariant(BaseModel):
 
 
 class GivenLine(BaseModel):
-    """A number of the statement: its symbol (MathML) and its printed value."""
+    """A number of the statement: its name (HTML, empty on older cards), symbol (MathML) and printed value."""
 
+    name: str
     symbol: str
     value: str
 
@@ -246,7 +247,7 @@ async def shown(bench: Bench, dealt: Dealt, language: str, *, resolved: bool = F
         if picture
         else None,
         givens=dict(dealt.givens),
-        data=[GivenLine(symbol=symbol, value=value) for symbol, value in seen.givens],
+        data=[GivenLine(name=name, symbol=symbol, value=value) for name, symbol, value in seen.data],
         answers={name: asked_for(field) for name, field in seen.answers.items()},
     )
 

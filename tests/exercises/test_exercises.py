@@ -14,9 +14,10 @@ import pytest
 from exercises import catalogue, solving, variants
 from exercises.exercise import Answers, Line, Submission, Variant
 from exercises.grading import grade, preview, reference
-from exercises.presenting import hint, hint_text, presented, solution
+from exercises.presenting import hint, hint_text, presented, printed_givens, solution
 from exercises.solving import Solved
 from exercises.verifying import verify
+from exercises.words import named, plain
 from graders import Code, Outcome, Verdict
 from graders.language import doubles
 from graders.words import LANGUAGES
@@ -175,3 +176,22 @@ def test_the_oracle_does_not_stand_on_the_module_of_the_steps(exercise_id: str) 
             Solved(exercise, posed[0])
         after = [exercise.oracle(variant.givens) for variant in posed]
     assert before == after
+
+
+@EVERY
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_every_given_has_a_name_and_no_name_is_of_nothing(exercise_id: str, lang: str) -> None:
+    words = catalogue.load(exercise_id).words[lang]
+    called = words["givens"]
+    sections = {kind: names for kind, names in called.items() if isinstance(names, dict)}
+    unused = {(kind, key) for kind, names in sections.items() for key in names}
+    unused |= {("", key) for key in called if key not in sections}
+    for seed in range(amount(40, 200)):
+        variant = dealt(exercise_id, seed)
+        for given in printed_givens(variant, lang):
+            name = plain(named(given, variant.givens, words, lang))
+            assert name and not set(name) & set("{}$"), given
+            keys = (given.name, given.name.rstrip("0123456789") + "{i}")
+            found = [(kind, key) for kind in (given.kind, "") for key in keys if (kind, key) in unused]
+            unused -= set(found[:1])
+    assert not unused

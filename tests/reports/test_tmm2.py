@@ -12,6 +12,7 @@ import pytest
 from exercises import catalogue, variants
 from exercises.exercise import Submission
 from exercises.grading import grade, reference
+from exercises.presenting import presented
 from exercises.solving import solved
 from reports import formats
 from reports.document import Beside, Document, Drawing, Formula, Heading, Paragraph, Ruled, Table, plain
@@ -250,7 +251,9 @@ def test_a_formula_of_a_note_is_as_small_as_the_note() -> None:
     assert "math.equation: set text" not in source(report())
 
 
-def test_the_givens_stand_in_rows_of_one_line_and_longer_cells_in_rows_as_high_as_they_need() -> None:
-    assert "rows: 20pt" in source(report())
-    long = Table((), ((("x" * 40,),),))
-    assert "rows:" not in source(Document("t", "s", "en", (long,)))
+def test_each_given_stands_with_its_name_symbol_and_value() -> None:
+    (table,) = (block for block in report("tmm2_oop", "en").blocks if isinstance(block, Table))
+    cells = [plain(cell) for row in table.rows for cell in row]
+    given = presented(variants.deal("tmm2_oop", 7), "en").givens
+    assert [cell.rpartition(" = ")[2] for cell in cells if cell] == [value for _, value in given]
+    assert cells[0].startswith("length of the link AB: ") and cells[6].startswith("first derivative of ")

@@ -114,6 +114,13 @@ def test_each_outcome_is_told_at_its_line(client: TestClient, deal: Callable[...
     assert 'name="answer.l3" type="text" value="1 mm"' in page
 
 
+def test_the_data_are_named_beside_their_symbols(client: TestClient, deal: Callable[..., str]) -> None:
+    page = client.get(f"/variants/{deal('stepped_shaft', 7)}?lang=en").text
+    data = page[page.index("<caption>Data") :].partition("</table>")[0]
+    assert '<th scope="row">shear modulus</th><td>' in data
+    assert '<th scope="row">length of segment\u00a0<math><mrow><mrow><mn>2</mn></mrow></mrow></math></th>' in data
+
+
 def test_a_recognised_mistake_shows_its_hint(client: TestClient, deal: Callable[..., str]) -> None:
     page = post(client, deal(), {"omega2_formula": "-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"})
     assert "what does the sine become" in page or 'class="note prose"' in page

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import asdict
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -14,6 +15,7 @@ from starlette.testclient import TestClient
 from exercises import grading, presenting
 from exercises.exercise import Variant
 from exercises.variants import deal as dealt_by_hand
+from server.answering.variants import PRESENTED
 from server.app import create_app
 from server.database.engine import engine
 from server.settings import Settings
@@ -45,6 +47,19 @@ def test_a_variant_shows_all_that_is_needed_to_answer(client: TestClient) -> Non
     assert body["figure"].startswith("<svg") and body["figure_table"]["rows"]
     assert body["answers"]["l3"]["unit"] == "mm" and body["answers"]["l3"]["tolerance"] == "±0,5 %"
     assert "l1" in body["answers"]["omega2_formula"]["symbols"]
+    assert [(one["name"], one["value"]) for one in body["data"]][:2] == [
+        ("długość korby", "45\u202fmm"),
+        ("długość łącznika", "220\u202fmm"),
+    ]
+
+
+def test_a_card_written_before_the_givens_had_names_is_still_shown() -> None:
+    shown = asdict(presenting.presented(dealt_by_hand("slider_crank", 7), "en"))
+    named, nameless = (PRESENTED.validate_python(card) for card in (dict(shown), shown | {"givens_named": ()}))
+    del shown["givens_named"]
+    assert PRESENTED.validate_python(shown) == nameless
+    assert next(name for name, _, _ in named.data) == "length of the crank"
+    assert [("", *given) for given in named.givens] == list(nameless.data)
 
 
 def test_the_same_seed_gives_the_same_givens(client: TestClient) -> None:
