@@ -243,6 +243,7 @@ async def _workspace(request: Request, bench: Bench, reader: Reader, work: Work)
         "right": sum(verdict.outcome == "right" for verdict in judged),
         "judged": any(verdict.outcome != "unreadable" for verdict in judged),
         "open": [line for line in laid if line.verdict and line.verdict.outcome not in ("right", "undecided")],
+        "empty": result is not None and not any(text.strip() for text in whole(result.answers).values()),
         "marks": [one for one in result.by_hand if all(one not in line.marks for line in laid)] if result else [],
         "price": await price(bench, reader, dealt),
         "hinted": await _hinted(bench, result) if result and dealt.code else 0,

@@ -20,6 +20,12 @@ export function passes(before: number, after: number): boolean {
   return SPOKEN.some((moment) => before > moment && after <= moment);
 }
 
+/** Says beside the task what it is once the time is up; what is typed stays, and the server has the last word. */
+function tellStage(): void {
+  const stage = document.querySelector<HTMLElement>("[data-stage-after]");
+  if (stage !== null) stage.textContent = stage.dataset["stageAfter"] ?? "";
+}
+
 /** Keeps a line with `data-left`, the seconds left when the page was made, and the live region behind it. */
 export function tellTimeLeft(line: HTMLElement): void {
   const { left, days = "", hours = "", over = "" } = line.dataset;
@@ -32,6 +38,8 @@ export function tellTimeLeft(line: HTMLElement): void {
     line.classList.toggle("soon", now < DAY * 60);
     if (passes(before, now) && line.nextElementSibling !== null) line.nextElementSibling.textContent = text;
     before = now;
-    if (now <= 0) clearInterval(timer);
+    if (now > 0) return;
+    clearInterval(timer);
+    tellStage();
   }, 1000);
 }

@@ -38,7 +38,8 @@ PAGE = f"""<!doctype html><html lang="pl"><meta charset="utf-8"><title>x</title>
 <label><input type="radio" name="answer.c" value="a">a</label>
 <label><input type="radio" name="answer.c" value="b">b</label>
 <button class="btn main" type="submit" data-sending="Wysyłanie">Sprawdź</button></form>
-<p><small data-left="2" data-days="-" data-hours="{{first}} h {{second}} min" data-over="minął">5 h</small><span
+<p><small id="stage" data-stage-after="zamknięty">otwarty</small>
+<small data-left="2" data-days="-" data-hours="{{first}} h {{second}} min" data-over="minął">5 h</small><span
  id="said" role="status"></span></p></html>"""
 
 SLOW_FIRST = """() => { window.fetch = async (url, {body}) => {
@@ -283,9 +284,11 @@ def test_a_formula_grows_takes_no_line_break_and_is_sent_once_by_ctrl_enter(site
 def test_the_time_left_goes_on_and_its_end_is_said(site: Site) -> None:
     page = site.open()
     page.wait_for_selector(".soon:text('0 h 0 min')")
-    assert page.inner_text("#said") == ""
+    page.fill("[name='answer.w']", "l1 + 1")
+    assert (page.inner_text("#said"), page.inner_text("#stage")) == ("", "otwarty")
     page.wait_for_selector("[data-left]:text('minął')")
-    assert page.inner_text("#said") == "minął"
+    assert (page.inner_text("#said"), page.inner_text("#stage")) == ("minął", "zamknięty")
+    assert page.input_value("[name='answer.w']") == "l1 + 1"
 
 
 def test_ctrl_and_an_arrow_move_in_the_matrix(site: Site) -> None:

@@ -407,3 +407,23 @@ def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course:
     path = f"/variants/{course.variant(course.published(item={'exercise': 'tmm2_oop'}))}"
     assert 'name="section"' in course.student.get(path).text
     assert 'name="section"' not in course.lecturer.get(path).text
+
+
+@pytest.mark.parametrize(
+    ("rules", "after"),
+    [({}, "closed"), ({"late": "accepted"}, "past due, still taken"), ({"mode": "exam"}, "closed")],
+)
+def test_a_page_knows_what_its_task_is_once_the_time_is_up(course: Course, rules: dict[str, str], after: str) -> None:
+    variant = course.variant(course.published(rules=rules))
+    page = course.student.get(f"/variants/{variant}?lang=en").text
+    assert f'<small data-stage-after="{after}">open</small>' in page
+
+
+@pytest.mark.parametrize("mode", ["practice", "exam"])
+def test_empty_answers_are_said_to_be_nothing_to_judge_and_nothing_else(course: Course, mode: str) -> None:
+    variant = course.variant(course.published(rules={"mode": mode}))
+    sent = course.student.post(f"/variants/{variant}", data={"answer.l3": " ", "answer.v3": ""})
+    page = course.student.get(f"{sent.headers['location'].split('#')[0]}&lang=en").text
+    assert "All answers are empty: there is nothing to judge, and no attempt is counted</h2>" in page
+    for other in ("Your answers are taken", "No attempt was counted", "mend what", "after it has closed for all"):
+        assert other not in page
