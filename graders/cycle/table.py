@@ -195,8 +195,8 @@ def _table(names: Sequence[str], values: Columns, columns: Sequence[Column], abs
 
 
 def _meant(head: str, columns: Sequence[Column], typed: Sequence[float]) -> tuple[Column, float]:
-    """Find the column of a heading such as `v [m/s]`, `x / mm` or `czas (s)`, and its factor to SI units."""
-    cut = next((at for at, char in enumerate(head) if char in "[(/"), len(head))
+    """Find the column of a heading such as `v [m/s]`, `x / mm`, `t, s` or `czas (s)`, and its factor to SI units."""
+    cut = next((at for at, char in enumerate(head) if char in "[(/,"), len(head))
     name, unit = head[:cut].strip(), head[cut + 1 :].strip(" ])[(").strip()
     column = _named(name, columns)
     if column is None:

@@ -19,6 +19,7 @@ RELATION = re.compile(r"<=|>=|[<>≤≥⩽⩾]")
 DASH = re.compile(r"(?<=[ \w])[–—-](?= )")
 FROM = re.compile(r"(?:(?:for|dla|для) {1,4})?(?:x {0,4}[:=]? {0,4})?(?:(?:from|od|от) {1,4})?", re.IGNORECASE)
 TO = re.compile(r" (?:to|do|до) ", re.IGNORECASE)
+TIGHT = re.compile(r"(\d{1,6}(?:[.,]\d{1,9})?) {0,3}[–—-] {0,3}(\d{1,6}(?:[.,]\d{1,9})?(?: {0,3}m)?)")  # 0-0,5
 MEMBER = re.compile(r"^[^\W\d_]\w{0,10} {0,4}(?:∈|in\b) {0,4}")
 POINTED = re.compile(r"<([^<>;:\n]{1,40};[^<>;:\n]{1,40})>(?= {0,5}:)")  # <0; 1,5>: a closed interval in Polish books
 CLOSED = re.compile(r">(?! {0,5}(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]|=))")  # a bracket without its power
@@ -97,7 +98,8 @@ def unnamed(piece: Piece) -> Piece:
 def _colon(piece: Piece) -> int | None:
     """Find the colon behind a range; the colon of a ratio stands between digits and behind no range."""
     for at, char in enumerate(piece.text[:120]):
-        if char == ":" and _ends(piece.part(0, at)) is not None:
+        ratio = piece.text[at + 1 : at + 2].isdigit() and TIGHT.fullmatch(piece.text[:at])  # 5-3:2
+        if char == ":" and not ratio and _ends(piece.part(0, at)) is not None:
             return at
     return None
 
@@ -115,7 +117,7 @@ def _ranged(piece: Piece) -> Ranged:
 
 
 def _ends(head: Piece) -> tuple[Piece, Piece] | None:
-    """Read `0 .. 1,5`, `0 <= x <= 1,5`, `x ∈ (0; 1,5)`, `0 – 1,5` or `from 0 to 1.5`."""
+    """Read `0 .. 1,5`, `0 <= x <= 1,5`, `x ∈ (0; 1,5)`, `0 – 1,5`, `0-1,5` or `from 0 to 1.5`."""
     head = head.bare
     marks = list(DOTS.finditer(head.text))
     relations = list(RELATION.finditer(head.text))
@@ -124,7 +126,7 @@ def _ends(head: Piece) -> tuple[Piece, Piece] | None:
     elif len(relations) == 2:
         cuts = (relations[0].span(), relations[1].span())
     else:
-        return _bracketed(head) or _parted(head, DASH) or _worded(head)
+        return _bracketed(head) or _parted(head, DASH) or _worded(head) or _tight(head)
     ends = head.part(0, cuts[0][0]).bare, head.part(cuts[1][1], len(head.text)).bare
     if relations and relations[0][0][0] in ">≥⩾":
         ends = ends[1], ends[0]
@@ -139,6 +141,11 @@ def _bracketed(head: Piece) -> tuple[Piece, Piece] | None:
     cut = rest.text.index(";")
     ends = rest.part(1, cut).bare, rest.part(cut + 1, len(rest.text) - 1).bare
     return ends if ends[0].text and ends[1].text else None
+
+
+def _tight(head: Piece) -> tuple[Piece, Piece] | None:
+    found = TIGHT.fullmatch(head.text)
+    return (head.part(*found.span(1)), head.part(*found.span(2))) if found else None
 
 
 def _worded(head: Piece) -> tuple[Piece, Piece] | None:

@@ -63,6 +63,8 @@ def test_a_diagram_passes_its_own_samples(judge: Diagram, rows: Rows) -> None:
         f"0 <= x <= 1,5: 7,5x - x^2\n3 >= x >= 1,5: 9 - 1,5*(x-1,5) - (x-1,5)^2\n{THIRD}",
         f"<0; 1,5>: 7,5x - x^2; x ∈ (1,5; 3): 9 - 1,5*(x-1,5) - (x-1,5)^2; {THIRD}",
         f"0 – 1,5: 7,5x - x^2; {SECOND}; {THIRD}",
+        f"0-1,5: 7,5x - x^2; {SECOND}; {THIRD}",
+        f"0-1,5 m: 7,5x - x^2; {SECOND}; {THIRD}",
         f"0 do 1,5: 7,5x - x^2; {SECOND}; {THIRD}",
         f"od 0 do 1,5 m: 7,5x - x^2; {SECOND}; {THIRD}",
         f"для x от 0 до 1,5: 7,5x - x^2; {SECOND}; {THIRD}",

@@ -123,6 +123,8 @@ def angle(turn: float) -> float:
         table(head="czas [s];położenie [mm];prędkość (m/s);przyspieszenie / m/s²"),
         table(head="время;положение;скорость;ускорение"),
         table(head="Time;Position;Velocity;Acceleration"),
+        table(head="t, s;x, mm;v, m/s;a, m/s\u00b2"),
+        table(head="t, \u0441;x, \u043c\u043c;v, \u043c/\u0441;a, \u043c/\u0441\u00b2"),
         table(head="t(s);x(t);v(t);a(t)"),
         table(lambda alpha: (motion(alpha)[0] / 1e3, *motion(alpha)[1:]), head="t;x [m];v;a"),
         table(lambda alpha: tuple(reversed(motion(alpha))), head="t [s];a;v;x"),
