@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import secrets
-from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -14,7 +13,6 @@ from fastapi import APIRouter, Depends, Query, Request
 from starlette.responses import HTMLResponse, RedirectResponse
 
 from exercises import catalogue, presenting
-from exercises.exercise import AnyExercise
 from exercises.variants import MAX_SEED
 from server.answering import forms
 from server.answering.drafts import fresher, is_late, keep
@@ -22,6 +20,7 @@ from server.answering.forms import Form
 from server.answering.hints import open_hint, price, with_ladders
 from server.answering.laboratory import laboratory, without_empty
 from server.answering.receipts import whole
+from server.answering.shelf import Wish, card
 from server.answering.submissions import Graded, graded, receipted, submit
 from server.answering.variants import (
     dealt_to,
@@ -35,7 +34,7 @@ from server.answering.variants import (
 from server.answering.workspace import lines, marked
 from server.bench import Bench, Tools
 from server.courses import zones
-from server.exercises import known, sample
+from server.exercises import known
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit, remember
 from server.sets.standing import on_page
@@ -43,27 +42,11 @@ from server.storage import Dealt, Draft
 from server.web import ids
 from server.web.errors import Refused
 from server.web.language import part
-from server.web.templating import counted, page
+from server.web.templating import page
 
 SECTIONS = 13  # of the form of report TMM-2
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
-
-
-@dataclass(frozen=True, slots=True)
-class Card:
-    """An exercise on the shelf."""
-
-    id: str
-    chapter: str
-    exercise: AnyExercise
-    shown: presenting.Presented
-    answers: str
-
-    def says(self, wish: str) -> bool:
-        """Whether the card says what is looked for."""
-        text = " ".join((self.id, self.shown.title, self.shown.summary, *self.exercise.systems))
-        return all(word in text.casefold() for word in wish.casefold().split())
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,11 +67,13 @@ class Work:
 async def show_catalogue(
     request: Request, bench: Tools, reader: Asking,
     chapter: Annotated[str, Query(max_length=40)] = "", q: Annotated[str, Query(max_length=80)] = "",
+    answer: Annotated[frozenset[str], Query()] = frozenset(),
 ) -> HTMLResponse:  # fmt: skip
-    """Show all exercises, or those of a chapter, or those that say something."""
+    """Show all exercises, or those of a chapter, or those that say something or are answered in some way."""
     cards = [await card(bench, name, reader.language) for name in catalogue.ids()]
-    found = [one for one in cards if chapter in ("", one.chapter) and one.says(q)]
-    context = {"cards": found, "chapters": Counter(one.chapter for one in cards), "chapter": chapter, "q": q}
+    wish = Wish(chapter, q, answer)
+    counts = {"chapters": wish.chapters(cards), "ways": wish.answered_by(cards)}
+    context = {"cards": wish.found(cards), **counts, "chapter": chapter, "q": q, "chosen": answer}
     return page(request, reader.language, "catalogue.html", context)
 
 
@@ -186,15 +171,6 @@ async def show_solution(variant: str, request: Request, bench: Tools, reader: As
     dealt = await visible(bench, reader, variant)
     context = {"lines": await solved(bench, reader, dealt), "dealt": dealt, "shown": await _shown(bench, reader, dealt)}
     return page(request, reader.language, "solution.html", context)
-
-
-async def card(bench: Bench, exercise: str, language: str) -> Card:
-    """Make the card of an exercise."""
-    entry = catalogue.load(exercise)
-    shown = await bench.judging.run(sample, exercise, language)
-    kinds = Counter(field.kind for field in shown.answers.values())
-    asked = ", ".join(counted(language, number, f"kinds.{kind}") for kind, number in kinds.items())
-    return Card(exercise, entry.chapter, entry.exercise, shown, asked)
 
 
 async def _shown(bench: Bench, reader: Reader, dealt: Dealt) -> presenting.Presented:

@@ -123,8 +123,8 @@ def _theme(request: Request) -> str:
 
 def _here(request: Request, path: str | None, **changes: str) -> str:
     """This page with another language or appearance."""
-    kept = {} if path else dict(request.query_params)
-    return f"{path or request.url.path}?{urlencode(kept | changes)}"
+    kept = [] if path else [one for one in request.query_params.multi_items() if one[0] not in changes]
+    return f"{path or request.url.path}?{urlencode([*kept, *changes.items()])}"
 
 
 def _keep(request: Request, response: Response, name: str, value: str, chosen: bool) -> None:
