@@ -2,6 +2,7 @@
 
 Mutants of what explains an answer that live on change nothing that can be seen:
 
+* another name of no answer, where a judge stands beside none;
 * own values of a step for a number of that step: no two numbers ask for one step;
 * no line replaced where a line that is not asked for is: no formula is judged against it;
 * what is solved further than it is asked; no value in the other mode, which a line with an angle always has.
@@ -68,6 +69,12 @@ def test_no_slip_is_read_out_of_a_number_with_which_a_right_one_has_no_value() -
     typed = max(value for slip, value in slipped(solved(INVERSE), "c3", None) if slip is CommonSlip.TERM_LOST)
     assert typed > 1 and handed_in(INVERSE, c3=f"{typed:.6f}", q="", n="").slip is CommonSlip.TERM_LOST  # type: ignore[operator]
     assert handed_in(INVERSE, c3=f"{typed:.6f}").slip is None
+
+
+def test_what_cannot_be_read_beside_a_slip_hides_nothing() -> None:
+    values = solved(CRANK).values
+    assert isinstance(values["v3"], float)
+    assert handed_in(CRANK, l3="((", v3=f"{2 * values['v3']:.6g}").slip is CommonSlip.FACTOR_TWO
 
 
 # a known slip, and a common one
