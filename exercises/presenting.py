@@ -22,9 +22,10 @@ from graders.language.text import text_of
 from graders.language.tree import Binary, Call, Name, Number, Tree, Unary, mapped
 from graders.language.tree import names as names_in
 from graders.units import read_unit
-from graders.words import common_hint, decimal, printed_unit, tolerance
+from graders.words import common_hint, decimal, printed_unit, taken, tolerance
 
 NUMBERS = {"quantity", "integer", "rational"}  # kinds whose answer is not the equation itself
+WITH_UNIT = {"quantity", "set"}  # kinds whose numbers may be typed with a unit of their own
 OF_ANGLES = frozenset(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "acot", "atan2"))
 
 
@@ -50,6 +51,7 @@ class Field:
     weight: float
     options_text: tuple[tuple[str, str], ...] = ()
     shape: Mapping[str, Any] = field(default_factory=dict)  # all that the judge says of its field
+    taken_text: str = ""  # in which units it may be typed, where words say more than the unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,6 +146,7 @@ def _field(solved: Solved, name: str, words: Words, lang: str) -> Field:
         options_text=tuple((key, plain(options[key])) for key in described.get("options", ())),
         weight=grader.weight,
         shape=_shape(described, lang),
+        taken_text=taken(described.get("unit", ""), lang) if grader.kind in WITH_UNIT else "",
     )
 
 

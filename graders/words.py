@@ -102,6 +102,11 @@ def printed_unit(unit: str, lang: str) -> str:
     return text.replace("*", "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
 
 
+def taken(unit: str, lang: str) -> str:
+    """Say in which units an angle may be typed, that of a bare number first; empty for what is no angle."""
+    return str(locale(lang)["angles"].get(unit, ""))
+
+
 def common_hint(slip: CommonSlip, lang: str) -> str:
     """Word the hint of a slip of any kind of task; it holds no value of the reference."""
     return str(locale(lang)["common_slips"][slip.value])

@@ -121,6 +121,12 @@ def test_the_data_are_named_beside_their_symbols(client: TestClient, deal: Calla
     assert '<th scope="row">length of segment\u00a0<math><mrow><mrow><mn>2</mn></mrow></mrow></math></th>' in data
 
 
+def test_an_angle_is_asked_for_in_words_and_a_length_in_its_unit(client: TestClient, deal: Callable[..., str]) -> None:
+    page = client.get(f"/variants/{deal()}?lang=pl").text
+    helps = re.findall(r'<p class="help" id="a\d-h">([^<]*)</p>', page)
+    assert helps[:2] == ["w stopniach albo w radianach z jednostką rad, ±0,5 %", "mm, ±0,5 %"]
+
+
 def test_a_recognised_mistake_shows_its_hint(client: TestClient, deal: Callable[..., str]) -> None:
     page = post(client, deal(), {"omega2_formula": "-l1*omega1*sin(alpha1)/(l2*cos(alpha2))"})
     assert "what does the sine become" in page or 'class="note prose"' in page
