@@ -16,7 +16,7 @@ from exercises import catalogue
 from server.bench import Bench
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
-from server.sets.foresight import refuse_unfit
+from server.sets.foresight import Scarce, refuse_unfit, scarce
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
 from server.storage.courses import Course
@@ -146,6 +146,11 @@ async def unfit(bench: Bench, task_set: TaskSet) -> Refused | None:
     except Refused as refused:
         return refused
     return None
+
+
+async def scarcely(bench: Bench, task_set: TaskSet) -> tuple[Scarce, ...]:
+    """Name the tasks of a stored draft whose limits keep too few draws for it to be published."""
+    return await bench.judging.run(scarce, [(slot.pool, slot.limits) for slot in task_set.slots])
 
 
 async def _refuse_strange_chance(bench: Bench, new: TaskSet) -> None:

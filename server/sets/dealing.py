@@ -110,7 +110,12 @@ def template(secret: bytes, plan: Plan, student: str) -> str:
 
 def within(variant: Variant, limits: Limits) -> bool:
     """Tell whether the givens of a variant keep the limits that speak of them."""
-    found = numbers(variant.givens)
+    return kept(variant.givens, limits)
+
+
+def kept(givens: Any, limits: Limits) -> bool:
+    """Tell whether givens keep the limits that speak of them."""
+    found = numbers(givens)
     return all(low <= found[name] <= high for name, (low, high) in limits.items() if name in found)
 
 

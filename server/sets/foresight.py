@@ -1,18 +1,21 @@
-"""What can be told of tasks before a card is dealt: limits on givens that are not there, pools of unequal length."""
+"""What can be told of tasks before a card is dealt: limits on givens that are not there or that no card can keep, pools
+of unequal length."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import combinations
 from typing import Any
 
 from exercises import catalogue
 from exercises.draw import Draw, Rejected
-from exercises.givens import numbers
+from exercises.givens import domains
+from graders import Domain
 from graders.language.doubles import UndefinedError
-from server.sets.dealing import Limits
+from server.sets.dealing import DRAWS as DEALING_DRAWS
+from server.sets.dealing import LEAST_ACCEPTED, Limits, kept
 from server.web.errors import Refused
 
 DRAWS = 500  # of an exercise; what none of them has, too few cards would have to be limited by it
@@ -21,10 +24,22 @@ Task = tuple[Sequence[str], Limits]  # the pool of a task, and its limits
 
 @dataclass(frozen=True, slots=True)
 class Traits:
-    """What the variants of an exercise have: givens that are numbers, and how many steps."""
+    """What the variants of an exercise have: givens that are numbers, how many steps, and the least and greatest value
+    that is declared of each given that all of them have."""
 
     givens: tuple[str, ...]
     steps: frozenset[int]
+    always: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Scarce:
+    """Limits that fewer draws of an exercise keep than publishing asks for."""
+
+    slot: int
+    exercise: str
+    accepted: int
+    draws: int
 
 
 def refuse_unfit(tasks: Iterable[Task]) -> None:
@@ -36,6 +51,7 @@ def refuse_unfit(tasks: Iterable[Task]) -> None:
     for at, (pool, limits) in enumerate(tasks):
         known = {exercise: traits(exercise) for exercise in pool if exercise in catalogue.ids()}
         _refuse_unknown_givens(f"items.{at}.limits", known, limits)
+        _refuse_values_that_never_come(f"items.{at}.limits", known, limits)
         _refuse_unequal_steps(f"items.{at}.pool", known)
 
 
@@ -44,6 +60,27 @@ def _refuse_unknown_givens(field: str, known: dict[str, Traits], limits: Limits)
     unknown = next((name for name in limits if name not in names), None)
     if known and unknown is not None:
         raise Refused(422, "unknown_given", field=field, given=unknown, known=", ".join(names) or "—")
+
+
+def _refuse_values_that_never_come(field: str, known: dict[str, Traits], limits: Limits) -> None:
+    """Refuse limits outside the values that are declared of a given, which no draw can keep."""
+    for exercise, found in known.items():
+        for given, (low, high) in limits.items():
+            least, greatest = found.always.get(given, (low, high))
+            if high < least or greatest < low:
+                raise Refused(422, "limit_outside", field=field, given=given, exercise=exercise)
+
+
+def scarce(tasks: Iterable[Task]) -> tuple[Scarce, ...]:
+    """Name the tasks whose limits keep under 1 % of the draws, as far as some draws tell."""
+    found = []
+    for slot, (pool, limits) in enumerate(tasks, 1):
+        for exercise in pool if limits else ():
+            drawn = _drawn(exercise) if exercise in catalogue.ids() else ()
+            accepted = sum(kept(givens, limits) for givens in drawn)
+            if accepted * DEALING_DRAWS < LEAST_ACCEPTED * len(drawn):
+                found.append(Scarce(slot, exercise, accepted, len(drawn)))
+    return tuple(found)
 
 
 def _refuse_unequal_steps(field: str, known: dict[str, Traits]) -> None:
@@ -62,12 +99,23 @@ def _between(counts: frozenset[int]) -> str:
 def traits(exercise_id: str) -> Traits:
     """Look through draws of an exercise, whether or not they would be dealt."""
     exercise = catalogue.load(exercise_id).exercise
-    names: dict[str, None] = {}
-    steps: set[int] = set()
-    for givens in _draws(exercise_id):
-        names |= dict.fromkeys(numbers(givens))
-        steps.add(len(exercise.steps_of(givens)))
-    return Traits(tuple(names), frozenset(steps))
+    bounds: dict[str, list[Domain]] = {}
+    steps: list[int] = []
+    for givens in _drawn(exercise_id):
+        steps.append(len(exercise.steps_of(givens)))
+        for name, domain in domains(givens).items():
+            bounds.setdefault(name, []).append(domain)
+    always = {name: _span(found) for name, found in bounds.items() if len(found) == len(steps)}
+    return Traits(tuple(bounds), frozenset(steps), always)
+
+
+def _span(found: Sequence[Domain]) -> tuple[float, float]:
+    return min(one.low for one in found), max(one.high for one in found)
+
+
+@lru_cache(maxsize=64)
+def _drawn(exercise_id: str) -> tuple[Any, ...]:
+    return tuple(_draws(exercise_id))
 
 
 def _draws(exercise_id: str) -> Iterator[Any]:

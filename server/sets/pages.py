@@ -239,6 +239,7 @@ async def _builder(
         "written": typed or written(found, place),
         "problem": problem(reader.language, unfit) if unfit else None,
         "wait": None,
+        "scarce": await building.scarcely(bench, found) if found.state == DRAFT and not unfit else (),
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "seen_deadlines": building.deadlines([found]),

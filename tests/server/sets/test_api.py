@@ -60,6 +60,7 @@ def test_a_draft_is_changed_by_revision_and_frozen_when_it_is_published(course: 
         ({"item": {"pick": 2}}, "items.0", "set_pick"),
         ({"item": {"limits": {"l1": [2, 1]}}}, "items.0.limits", "out_of_range"),
         ({"item": {"limits": {"l9": [0, 1]}}}, "items.0.limits", "unknown_given"),
+        ({"item": {"limits": {"l1": [5, 6]}}}, "items.0.limits", "limit_outside"),
         ({"item": {"pool": ["four_bar"]}}, "items.0.pool", "unequal_steps"),
         ({"item": {"points": -1}}, "items.0.points", "out_of_range"),
         ({"item": {"seed": 7}}, "items.0.seed", "extra_field"),
@@ -81,7 +82,7 @@ def test_a_set_that_cannot_be_is_refused_by_name(
 
 
 def test_a_slot_that_cannot_be_published_is_told(course: Course) -> None:
-    number = course.built(item={"limits": {"l1": [5, 6]}})
+    number = course.built(item={"limits": {"l1": [0.041, 0.042]}})
     reply = course.lecturer.post(f"/api/v1/task-sets/{number}/open?lang=en")
     assert code_of(reply) == (422, "set_troubled") and reply.json()["error"]["field"] == "items.0.limits"
     assert "accept 0 of 1000 draws" in reply.json()["error"]["message"]

@@ -14,6 +14,8 @@ from server.web.errors import Refused
         (("planetary", "gear_train"), {}),  # 5 steps, and 4 or 5
         (("slider_crank", "no_longer_there"), {"l1": (0.05, 0.08)}),
         (("beam_diagrams",), {"q1": (1.0, 2.0)}),  # of many loads, a given of some draws only
+        (("slider_crank",), {"l1": (0.12, 9.0)}),
+        (("slider_crank",), {"l1": (0.0, 0.04)}),
         (("mobility",), {}),
     ],
 )
@@ -28,10 +30,11 @@ def test_what_dealing_may_yet_take_is_left_to_it(task: Task) -> None:
         (("gear_train", "slider_crank", "simple_beam"), "unequal_steps", "items.1.pool"),
         (("mobility",), "unknown_given", "items.1.limits"),
         (("slider_crank",), "unknown_given", "items.1.limits"),
+        (("slider_crank",), "limit_outside", "items.1.limits"),
     ],
 )
 def test_what_can_never_be_published_is_told_by_task_and_field(task: tuple[str, ...], code: str, field: str) -> None:
-    limits = {"l9": (0.0, 1.0)} if code == "unknown_given" else {}
+    limits = {"unknown_given": {"l9": (0.0, 1.0)}, "limit_outside": {"l1": (5.0, 6.0)}}.get(code, {})
     with pytest.raises(Refused) as refused:
         refuse_unfit([(("planetary",), {}), (task, limits)])
     assert (refused.value.status_code, refused.value.code, refused.value.field) == (422, code, field)

@@ -181,7 +181,10 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
         ("ru", {"late_loss": "150"}, "Потеря за день"),
         ("en", {"due": "2026-03-29T02:30"}, "The value of Due is no moment"),
         ("pl", {"opens": "2030-02-01T12:00", "due": "2030-01-31T12:00"}, "Termin: Zestaw musi się otworzyć"),
-        ("en", {"then": "publish", "slot.1.limits": "l1 90 91"}, "Task 1: the limits on givens accept 0 of 1000"),
+        ("en", {"then": "publish", "slot.1.limits": "l1 0.041 0.042"}, "Task 1: the limits on givens accept 0 of 1000"),
+        ("en", {"slot.1.limits": "l1 5 6"}, "The given l1 of slider_crank never lies within these limits."),
+        ("pl", {"slot.1.limits": "l1 5 6"}, "Dana l1 zadania slider_crank nigdy nie mieści się w tych granicach."),
+        ("ru", {"slot.1.limits": "l1 0 0,03"}, "Данная l1 задачи slider_crank никогда не попадает в эти пределы."),
     ],
 )
 def test_what_the_builder_cannot_take_is_told_beside_all_that_was_typed(
@@ -274,6 +277,16 @@ def test_the_preview_tells_which_givens_can_be_limited_and_how(course: Course) -
         assert said in course.lecturer.get(f"{page}?lang={language}").text
     typed = fields(course.lecturer.get(f"{page}?lang=pl").text) | {"slot.1.limits": "l1 0,04 0,12; l2 0,1 0,6"}
     assert course.lecturer.post(page, data=typed).status_code == 303
+
+
+def test_limits_that_hardly_a_draw_keeps_are_told_when_the_draft_is_saved(course: Course) -> None:
+    told = "Task 2: the limits on givens accept 0 of"
+    path = started(course)
+    saved(course.lecturer, path, add=EXERCISE)
+    page = saved(course.lecturer, path, add=EXERCISE)
+    assert told not in saved(course.lecturer, path, **{"slot.2.limits": "l1 0.04 0.06"}).text
+    page = saved(course.lecturer, path, **{"slot.2.limits": "l1 0.041 0.042"})
+    assert told in page.text and "Task 1: the limits" not in page.text
 
 
 def test_a_draft_that_can_no_longer_be_published_says_so_in_the_builder(

@@ -69,7 +69,7 @@ def test_a_set_whose_publishing_is_cancelled_is_a_draft_again(course: Course, ho
 
 
 def test_what_stands_against_publishing_is_told_by_the_job_and_no_card_stays(course: Course, hold: list[bool]) -> None:
-    number = course.built(item={"limits": {"l1": [0.9, 1.0]}})
+    number = course.built(item={"limits": {"l1": [0.041, 0.042]}})
     job = begun(course, number)
     hold[0] = False
     found = ended(course, job)
@@ -93,7 +93,7 @@ def test_a_task_that_cannot_be_published_is_told_while_the_others_go_on(
 
     monkeypatch.setattr(JudgingThread, "apart", apart)
     one: dict[str, Any] = {"exercise": "slider_crank", "points": 10}
-    number = course.built(items=[one | {"limits": {"l1": [0.9, 1.0]}}, one])
+    number = course.built(items=[one | {"limits": {"l1": [0.041, 0.042]}}, one])
     job = begun(course, number)
     while not (items := course.lecturer.get(job).json()["items"])[0]["refused"]:
         pass
