@@ -37,6 +37,7 @@ async def show_home(request: Request, bench: Tools, reader: Asking) -> Response:
         "courses": mine,
         "sets": sets,
         "following": following,
+        "opened": await home.opened(bench, following, reader.language) if following else None,
         "remaining": clock.left(following.until, now) if following else None,
         "results": home.latest(sets),
         "local": lambda moment, course: clock.stamp(reader.language, moment, clock.zone(course.time_zone)),

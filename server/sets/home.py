@@ -50,6 +50,15 @@ class Mine:
         return task.left == 0 or (bool(task.ledger) if self.own.held else task.share == 1)
 
 
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """The card of a task that was opened: its title, its figure, and when its draft was saved."""
+
+    title: str
+    svg: str
+    saved: datetime | None
+
+
 async def sets_of(bench: Bench, person: str, courses: Sequence[tuple[Course, str]], now: datetime) -> list[Mine]:
     """List the published sets of the courses in which a person is a student: what is due first, then what is closed."""
     found = [
@@ -65,6 +74,16 @@ async def sets_of(bench: Bench, person: str, courses: Sequence[tuple[Course, str
 def due_next(found: Sequence[Mine]) -> Mine | None:
     """Give the first set in which something is to be done."""
     return next((mine for mine in found if mine.task), None)
+
+
+async def opened(bench: Bench, mine: Mine, language: str) -> Opened | None:
+    """Give the card with which a student goes on; None before it is opened, and where it has no figure."""
+    card = mine.task.card if mine.task else None
+    shown = await bench.sets.shown(card.variant, language) if card else None
+    if card is None or not shown or not shown.get("picture"):
+        return None
+    draft = await bench.storage.draft(card.variant)
+    return Opened(shown["title"], shown["picture"]["svg"], draft.time if draft else None)
 
 
 def latest(found: Sequence[Mine]) -> list[tuple[Mine, Task]]:

@@ -63,6 +63,19 @@ def test_a_scale_shows_how_many_tasks_of_the_next_set_are_finished(course: Cours
     course.move(number, hours=1)
 
 
+def test_the_figure_of_the_opened_task_stands_beside_it(course: Course) -> None:
+    number = course.published(title="Drawn", items=[{"exercise": EXERCISE, "points": 10, "attempts": 2}])
+    assert "<figure" not in section(course, "next")  # nothing of a task is shown before it is opened
+    variant = course.variant(number)
+    figure = course.student.get(f"/api/v1/variants/{variant}?lang=en").json()["figure"]
+    found = section(course, "next")
+    assert figure in found and "Task 1, Slider-crank by the vector polygon. Attempts used: 0 of 2." in found
+    draft = {"answers": {"l3": "1 m"}, "revision": 0}
+    assert course.student.put(f"/api/v1/variants/{variant}/draft", json=draft).status_code == 200
+    assert re.search(r"Attempts used: 0 of 2; draft saved <time [^>]*>[^<]*\d\d:\d\d</time>\.", section(course, "next"))
+    course.move(number, hours=1)
+
+
 def test_a_set_past_due_that_is_still_taken_is_no_set_without_a_deadline(course: Course) -> None:
     number = course.published(title="Late", rules={"late": "accepted"})
     course.move(number, hours=1)
