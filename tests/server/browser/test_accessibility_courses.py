@@ -23,6 +23,9 @@ COOKIE = "grubler_session"
 TASK = {"exercise": EXERCISE, "points": 10, "attempts": 2}
 SIGHTS: tuple[axe.Sight, axe.Sight] = (axe.NARROW, "dark"), (axe.WIDE, "light")  # one by default, in turn
 PEOPLE = ("administrator", "lecturer", "student")
+MANY_TASKS = """() => document.querySelectorAll(".book tr").forEach((row) => {
+    for (let more = 0; more < 12; more += 1) row.append(row.lastElementChild.cloneNode(true));
+})"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,3 +224,19 @@ def test_no_wide_table_scrolls_sideways_on_a_phone(page: Page, campus: Campus, s
         "all => all.map((one) => [one.scrollWidth, one.clientWidth])"
     )
     assert widths and all(whole <= seen for whole, seen in widths), widths
+
+
+@pytest.mark.parametrize("state", ["results", "results of a course"])
+def test_names_and_groups_stay_beside_the_marks_on_a_phone(page: Page, campus: Campus, state: str) -> None:
+    axe.look(page, axe.NARROW, "light")
+    arrive(page, campus, state)
+    page.evaluate(MANY_TASKS)
+    page.evaluate("document.querySelector('.scroll:has(> .book)').scrollLeft = 300")
+    name, mark = page.locator(".book th.person").first, page.locator(".book tbody tr td:last-child").first
+    region = page.locator(".scroll:has(> .book)").bounding_box()
+    found = name.bounding_box()
+    assert region is not None and found is not None and found["x"] == pytest.approx(region["x"], abs=1)
+    assert name.locator("small").inner_text() == "Środa" and not page.locator(".apart").first.is_visible()
+    mark.scroll_into_view_if_needed()
+    seen = mark.bounding_box()
+    assert seen is not None and seen["x"] >= found["x"] + found["width"] - 1
