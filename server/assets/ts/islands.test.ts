@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { joinGrid, joinTable, split } from "./answers.ts";
+import { ask } from "./ask.ts";
 import { readCopy } from "./draft.ts";
 import { answerName } from "./fields.ts";
 import { meaning } from "./formula.ts";
@@ -61,6 +62,26 @@ test("a preview is read in its declared shape and anything else is no preview", 
   assert.deepEqual(readPreview(bad), bad);
   for (const reply of [null, "ok", 1, [], {}, { ok: true }, { ok: false }, { error: { code: "x" } }]) {
     assert.equal(readPreview(reply), null);
+  }
+});
+
+test("a refusal is told in the words of the server, and only a lost connection is none", async () => {
+  const here = globalThis as { document?: unknown; fetch: unknown };
+  const before = here.fetch;
+  here.document = { documentElement: { lang: "en" } };
+  const answers = (status: number, body: unknown) => (here.fetch = async () => new Response(JSON.stringify(body), { status }));
+  try {
+    for (const status of [401, 404, 429]) {
+      answers(status, { error: { message: "Not yours any more." } });
+      assert.deepEqual(await ask("/preview", "l3", "1"), { ok: false, message: "Not yours any more.", position: null });
+    }
+    answers(503, { error: { message: "The store rests." } });
+    assert.equal(await ask("/preview", "l3", "1"), null);
+    here.fetch = () => Promise.reject(new TypeError("no connection"));
+    assert.equal(await ask("/preview", "l3", "1"), null);
+  } finally {
+    here.fetch = before;
+    delete here.document;
   }
 });
 
