@@ -35,7 +35,7 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
             "pool": " ".join(_by_chapter(slot.pool)),
             "points": slot.points,
             "attempts": slot.attempts or "",
-            "limits": "; ".join(f"{name} {low:g} {high:g}" for name, (low, high) in slot.limits.items()),
+            "limits": "; ".join(" ".join((name, *map(_number, ends))) for name, ends in slot.limits.items()),
         }
         for slot in task_set.slots
     ]
@@ -173,6 +173,10 @@ def _item(values: Mapping[str, str], number: int, at: int) -> dict[str, Any]:
         else attempts or None,
         "limits": _limits(values.get(f"slot.{number}.limits", ""), f"items.{at}.limits"),
     }
+
+
+def _number(value: float) -> str:
+    return repr(float(value)).removesuffix(".0")
 
 
 def _limits(text: str, field: str) -> dict[str, list[str]]:

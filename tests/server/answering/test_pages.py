@@ -187,7 +187,7 @@ def test_a_seed_that_is_none_is_refused_on_a_page(client: TestClient, seed: str)
     assert reply.status_code == 422 and "out of range" in reply.text
 
 
-@pytest.mark.parametrize("content", [b"\xff", b"&".join(b"a=1" for _ in range(2000))])
+@pytest.mark.parametrize("content", [b"\xff", b"&".join(b"a=1" for _ in range(3000))])
 def test_what_is_no_form_is_refused(client: TestClient, deal: Callable[..., str], content: bytes) -> None:
     headers = {"content-type": "application/x-www-form-urlencoded"}
     assert client.post(f"/variants/{deal()}", content=content, headers=headers).status_code == 422

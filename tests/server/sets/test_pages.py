@@ -57,8 +57,8 @@ def test_a_set_is_built_published_and_answered_without_script(course: Course) ->
     assert fields(page.text)["slot.1.points"] == "2.5" and 'value="planetary"' in page.text
     home = f"/courses/{course.school.course}"
     assert 0 < page.text.index(f'href="{home}"') < page.text.index(f'href="{home}/sets"')  # the way back, widest first
-    page = saved(lecturer, path, move="2", **{"slot.2.limits": "l1 0,05 0,08", "slot.2.attempts": "2"})
-    assert fields(page.text)["slot.1.limits"] == "l1 0.05 0.08"
+    page = saved(lecturer, path, move="2", **{"slot.2.limits": "l1 0,05000001 0,08", "slot.2.attempts": "2"})
+    assert fields(page.text)["slot.1.limits"] == "l1 0.05000001 0.08"
     page = saved(lecturer, path, remove="2", due="2030-01-31T12:00")
     assert "slot.2.pool" not in fields(page.text) and "31 Jan 2030, 12:00" in page.text
     assert student.get(path).status_code == 404
