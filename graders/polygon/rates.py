@@ -167,12 +167,13 @@ def verdict(answer: Differentiated, mechanism: Mechanism, order: int) -> Verdict
     wanted = max(2 * mechanism.loops, len(outcomes))
     if not flaws and None in outcomes:
         return UNDECIDED
-    if not flaws and "followed" not in outcomes and not check.determined(answer.equations):
+    followed = outcomes.count("followed")
+    if not flaws and (followed > len(check.followed) or not (followed or check.determined(answer.equations))):
         flaws.append(Flaw(Code.NOT_DETERMINED, ", ".join(check.meaning.unknowns)))
         right -= 1
     if flaws:
         return graded(right / wanted, flaws)
-    return FOLLOWED if "followed" in outcomes else RIGHT
+    return FOLLOWED if followed else RIGHT
 
 
 def _missing(answer: Differentiated, judged: Judged) -> list[Flaw]:
@@ -195,6 +196,7 @@ class _Check:
     meaning: _Meaning
     order: int
     flaws: list[Flaw] = field(default_factory=list)
+    followed: set[int] = field(default_factory=set)  # the own projections whose rates were given
     rows: list[dict[str, Trio]] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -234,9 +236,10 @@ class _Check:
         """Tell whether it is the rate of one of the student's own projections that is not true itself."""
         if not self.judged.flawed and not self.judged.flaws:
             return False
-        return any(
-            proportional(values(own.difference, self.rows, self.order), typed) for own in self.judged.drawn.equations
-        )
+        own = [values(line.difference, self.rows, self.order) for line in self.judged.drawn.equations]
+        found = [at for at, line in enumerate(own) if proportional(line, typed)]
+        self.followed.update(found)
+        return bool(found)
 
     def _slips(self, equation: Equation, typed: tuple[float, ...] | None, place: str) -> list[Flaw]:
         axes: Sequence[Axis] = (equation.axis,) if equation.axis else ("x", "y")

@@ -165,6 +165,13 @@ def test_derivatives_of_an_own_wrong_polygon_are_followed() -> None:
     assert flaws(text, 1) == [("rate_sign", "l2", "x"), ("rate_sign", "l2", "y")]
 
 
+def test_the_derivative_of_one_own_wrong_projection_counts_once() -> None:
+    x, _ = SV.replace("- l2*omega2*sin", "+ l2*omega2*sin").splitlines()
+    twice = f"{x}\n{x.replace('x:', 'y:', 1)}"
+    assert flaws(twice, 1, polygon=WRONG_SIGN) == [("not_determined", "alpha2, l3", "")]
+    assert judged(twice, 1, polygon=WRONG_SIGN).score == 0.5
+
+
 def test_a_slip_in_the_derivative_of_a_wrong_polygon_is_named() -> None:
     text = SV.replace("- l2*omega2*sin", "+ l2*sin").replace("+ l2*omega2*cos", "- l2*omega2*cos")
     assert [code for code, *_ in flaws(text, 1, polygon=WRONG_SIGN)] == [
