@@ -33,6 +33,7 @@ from exercises.exercise import Grade, Submission
 from exercises.variants import deal
 from server.answering.judging import JudgingThread
 from server.app import create_app
+from server.run import Announced
 from tests.server.stores import free_port
 
 EXERCISE = "slider_crank"
@@ -60,7 +61,9 @@ def serve(port: int, graded: bool) -> None:
     """Serve in this process."""
     told = replace(settings(os.environ), port=port, limited=False)
     app = create_app(told, judging=None if graded else NoGrading())
-    uvicorn.run(app, port=port, log_level="warning", access_log=False, server_header=False)
+    server = Announced(uvicorn.Config(app, port=port, log_level="warning", access_log=False, server_header=False))
+    server.address = f"port {port}"
+    server.run()
 
 
 @dataclass(frozen=True, slots=True)

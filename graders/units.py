@@ -215,9 +215,11 @@ class _UnitReader:
 @lru_cache(maxsize=512)
 def nearest_unit(piece: str) -> str:
     """Give the unit that a piece may mean: `kN` for KN, `MPa` for Mpa; empty where none is near."""
-    if piece.lower() in TABLE:  # MM is typed for mm: whoever means a megametre writes it as one
-        return piece.lower()
     found = nearest(piece, NAMES) if piece.isalpha() and len(piece) < 9 else ""
+    if (
+        found.startswith(("M", "\u041c")) and piece.lower() in TABLE
+    ):  # MM is typed for mm: whoever means a megametre writes it as one
+        return piece.lower()
     return found if len(piece) > 2 or found.lower() == piece.lower() else ""  # two letters are near to too many
 
 

@@ -269,10 +269,11 @@ def test_a_formula_grows_takes_no_line_break_and_is_sent_once_by_ctrl_enter(site
     page.keyboard.press("Enter")
     assert page.input_value("#w") == "a"
     assert not site.sent
-    for _ in range(3):
-        page.keyboard.press("Control+Enter")
-    page.click("button.main", force=True)
-    page.wait_for_timeout(200)
+    with page.expect_request(HOME + "sent"):
+        for _ in range(3):
+            page.keyboard.press("Control+Enter")
+        page.click("button.main", force=True)
+    page.wait_for_timeout(200)  # time for a second one
     assert len(site.sent) == 1
     assert page.inner_text("button.main") == "Wysyłanie"
     assert page.get_attribute("button.main", "aria-disabled") == "true"
