@@ -37,6 +37,7 @@ LETTERS = "".join(map(chr, [*range(0x1D400, 0x1D455), *range(0x1D456, 0x1D49C), 
 INVISIBLE = "\u2061\u2062\u2063\u2064\u200b"  # function application and the like: no glyph, no missing-glyph box
 MATHS = TEXT + OPERATORS + ACCENTS + LETTERS + INVISIBLE
 
+THIN, NARROW, GAP = 0x2009, 0x202F, 0.2  # thin and narrow no-break space, and how wide both are made, in em
 CUT_AT = 3_786_912_000  # a fixed date for the same bytes: 2024-01-01 in seconds since 1904, as fonts count
 TEXT_FEATURES = ["kern", "liga", "locl", "mark", "mkmk", "ccmp", "lnum", "tnum"]
 MATH_FEATURES = ["ssty", "flac", "dtls"]  # script sizes, flat accents, dotless letters
@@ -142,9 +143,9 @@ def cut_fonts(assets: Path, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for face, style in TEXT_FACES.items():
         files = [assets / FONTS.format(face="text", script=script, style=style) for script in SCRIPTS]
-        save(Merger().merge(cut_each(files, set(map(ord, TEXT)))), folder / f"text-{face}.woff2")
+        save(spaced(Merger().merge(cut_each(files, set(map(ord, TEXT))))), folder / f"text-{face}.woff2")
     whole = assets / FONTS.format(face="math", script="latin", style="400-normal")
-    save(cut(whole, set(map(ord, MATHS)), MATH_FEATURES), folder / "math.woff2")
+    save(spaced(cut(whole, set(map(ord, MATHS)), MATH_FEATURES)), folder / "math.woff2")
     (folder / STAMP).write_text(digest)
 
 
@@ -172,6 +173,15 @@ def cut(file: Path, wanted: set[int], features: list[str]) -> Any:
     worker = subset.Subsetter(options)
     worker.populate(unicodes=wanted & font.getBestCmap().keys())
     worker.subset(font)
+    return font
+
+
+def spaced(font: Any) -> Any:
+    """The same font with a space between numbers and units that is seen; as it comes, an eighth of an em or none."""
+    glyph = font.getBestCmap()[THIN]
+    for table in font["cmap"].tables:
+        table.cmap[NARROW] = glyph
+    font["hmtx"][glyph] = round(GAP * font["head"].unitsPerEm), 0
     return font
 
 

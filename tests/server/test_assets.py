@@ -20,7 +20,7 @@ ASSETS = ROOT / "server/assets"
 BUILT = ROOT / "server/static/build"
 ENTRY = json.loads((BUILT / "manifest.json").read_text())["main.ts"]
 SCRIPT, STYLE = BUILT / ENTRY["file"], BUILT / ENTRY["css"][0]
-FONTS = {name.rsplit("-", 1)[0]: BUILT / name for name in ENTRY["assets"]}
+FONTS = {name[: -len("-12345678.woff2")]: BUILT / name for name in ENTRY["assets"]}  # the digest may hold a hyphen
 TEXT_FACES = ("text-regular", "text-italic", "text-semibold")
 
 GROUNDS = ("paper", "sheet")
@@ -100,6 +100,13 @@ def test_a_text_face_holds_the_letters_of_all_three_languages_and_greek(face: st
     letters = "AZaz09ĄĆĘŁŃÓŚŹŻąćęłńóśźżАЯЁаяё№αβγδεηθλμνπρσςτφϕψωΔΣΦΨΩ„”«»–−·×°′"
     assert FONTS[face].stat().st_size < 24_000
     assert set(map(ord, letters)) <= font_of(face).getBestCmap().keys()
+
+
+@pytest.mark.parametrize("face", [*TEXT_FACES, "math"])
+def test_the_space_between_a_number_and_its_unit_is_seen_in_every_face(face: str) -> None:
+    font = font_of(face)
+    widths = {font["hmtx"][font.getBestCmap()[ord(space)]][0] for space in "\u2009\u202f"}
+    assert widths == {font["head"].unitsPerEm // 5}
 
 
 def test_the_maths_face_stretches_and_holds_the_symbols_of_the_answer_language() -> None:
