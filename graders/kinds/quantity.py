@@ -152,9 +152,9 @@ class Quantity:
         return found
 
     def agrees(self, answer: Amount, value: float) -> bool:
-        """Tell whether a number is the value to the figures typed; nothing has none by which it could be told."""
+        """Tell whether a number is the value to the figures typed."""
         expected = read_unit(self.unit)
-        if not answer.value or (answer.unit is not None and not fits(answer.unit, expected)):
+        if answer.unit is not None and not fits(answer.unit, expected):
             return False
         off = answer.value - value if abs(value) > ANGLES else self._difference(answer.value, value)
         return abs(off) <= self._typed_to(answer) * abs(value)

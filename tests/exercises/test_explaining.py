@@ -106,13 +106,6 @@ def test_a_number_is_told_by_the_figures_typed() -> None:
     assert handed_in(CRANK, v3=f"{wrong * 1.003:.5g}").slip is None
 
 
-@pytest.mark.parametrize(("variant", "name"), [(CRANK, "l3"), (CRANK, "v3")])
-def test_no_slip_is_read_out_of_nothing(variant: Variant, name: str) -> None:
-    """A line with a sine for a cosine may give nothing; who types it rather leaves the field empty."""
-    found = handed_in(variant, **{name: "0"})
-    assert (found.mistake, found.slip) == (None, None)
-
-
 def test_answers_in_each_others_fields_are_named() -> None:
     answers = reference(BEAM)
     assert handed_in(BEAM, R_A=answers["R_B"], R_B=answers["R_A"]).slip is CommonSlip.FIELDS_EXCHANGED
