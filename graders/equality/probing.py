@@ -15,7 +15,7 @@ from graders.equality.sides import Box, Found, Part, ends, whole
 from graders.equality.turns import Joint, Turn, may_be_steep
 from graders.judge import Domain
 from graders.language.intervals import INTERVALS, Interval, side_of_zero
-from graders.language.program import Program, Runner
+from graders.language.program import NO_VALUE, Program, Runner
 from graders.states import Point
 
 ALIKE = 1e-9  # relative difference of the ratios of two arguments that turn together
@@ -30,32 +30,14 @@ Way: TypeAlias = Callable[[Sequence[Interval]], Interval]
 
 def look(runner: Runner, point: Point) -> Row:
     """Run in doubles; what has no value there is not a number."""
-    try:
-        return runner.run(point)
-    except (ValueError, ArithmeticError, TypeError):
-        return _patiently(runner, point)
-
-
-def _patiently(runner: Runner, point: Point) -> Row:
-    slots: list[Any] = [*point, *runner.tail]
-    for function, slot, count, first, second in runner.code:
-        try:
-            if count == 2:
-                slots[slot] = function(slots[first], slots[second])
-            elif count == 1:
-                slots[slot] = function(slots[first])
-            else:
-                slots[slot] = function(*[slots[argument] for argument in first])
-        except (ValueError, ArithmeticError, TypeError):
-            slots[slot] = math.nan
-    return [slots[slot] for slot in runner.outputs]
+    return runner.run(point, math.nan)
 
 
 def looks(runner: Runner, points: Sequence[Point]) -> list[Row]:
     """Run in doubles at many points; what has no value there is not a number."""
     try:
         return [list(row) for row in runner.columns(points)]
-    except (ValueError, ArithmeticError, TypeError):
+    except NO_VALUE:
         return [list(row) for row in runner.columns(points, _each)]
 
 
@@ -63,14 +45,14 @@ def _each(function: Callable[..., Any], *columns: Sequence[Any]) -> list[Any]:
     """Apply a function to columns of arguments; what has no value is not a number."""
     try:
         return list(map(function, *columns))
-    except (ValueError, ArithmeticError, TypeError):
+    except NO_VALUE:
         return [_tried(function, *arguments) for arguments in zip(*columns, strict=True)]
 
 
 def _tried(function: Callable[..., Any], *arguments: Any) -> Any:
     try:
         return function(*arguments)
-    except (ValueError, ArithmeticError, TypeError):
+    except NO_VALUE:
         return math.nan
 
 
@@ -193,7 +175,7 @@ class Search:
         def value(point: Point) -> float:
             try:
                 return float(run(point)[output])
-            except (ValueError, ArithmeticError, TypeError):
+            except NO_VALUE:
                 return look(doubles, point)[0]
 
         def values(point: Point) -> float:

@@ -172,6 +172,7 @@ class Builder:
 
 
 Code: TypeAlias = list[tuple[Callable[..., Any], int, int, Any, int]]
+NO_VALUE = (ValueError, ArithmeticError, TypeError)  # what an arithmetic raises where there is none
 
 
 class Runner:
@@ -208,9 +209,9 @@ class Runner:
         found.moving = tuple([at for at in range(len(self.inputs)) if at in needed])
         return found
 
-    def run(self, values: Sequence[Any]) -> list[Any]:
-        """Compute the outputs for the values of the inputs, in their order."""
-        slots = self.slots(values)
+    def run(self, values: Sequence[Any], otherwise: Any = None) -> list[Any]:
+        """Compute the outputs for the values of the inputs, in their order; as `slots` does."""
+        slots = self.slots(values, otherwise)
         return [slots[slot] for slot in self.outputs]
 
     def columns(self, rows: Sequence[Sequence[Any]], each: Callable[..., Iterable[Any]] = map) -> list[tuple[Any, ...]]:
@@ -233,16 +234,21 @@ class Runner:
                 slots[slot] = list(each(function, *[slots[a] for a in first])) if first else [function()] * count
         return list(zip(*[slots[slot] for slot in self.outputs], strict=True))
 
-    def slots(self, values: Sequence[Any]) -> list[Any]:
-        """Compute all slots."""
+    def slots(self, values: Sequence[Any], otherwise: Any = None) -> list[Any]:
+        """Compute all slots; `otherwise` stands, if given, in those that have no value, instead of an error."""
         slots: list[Any] = [*values, *self.tail]
         for function, slot, count, first, second in self.code:
-            if count == 2:
-                slots[slot] = function(slots[first], slots[second])
-            elif count == 1:
-                slots[slot] = function(slots[first])
-            else:
-                slots[slot] = function(*[slots[argument] for argument in first])
+            try:
+                if count == 2:
+                    slots[slot] = function(slots[first], slots[second])
+                elif count == 1:
+                    slots[slot] = function(slots[first])
+                else:
+                    slots[slot] = function(*[slots[argument] for argument in first])
+            except NO_VALUE:
+                if otherwise is None:
+                    raise
+                slots[slot] = otherwise
         return slots
 
 

@@ -80,6 +80,10 @@ async def show_set(
 async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Save the draft as the form has it, and publish it if that was asked."""
     old, values = await set_of(bench, reader, task_set), joined(await forms.read(request))
+    return await _save(request, bench, reader, old, values)
+
+
+async def _save(request: Request, bench: Bench, reader: Reader, old: TaskSet, values: Mapping[str, str]) -> Response:
     kept = typed(values)
     try:
         new = await _changed(bench, reader, old, values)
@@ -89,7 +93,7 @@ async def save_set(task_set: str, request: Request, bench: Tools, reader: Asking
         if not wants_page(request):
             raise
         if (refused.status_code, refused.field) == (409, "revision"):
-            return await _clashed(request, bench, reader, task_set, values)
+            return await _clashed(request, bench, reader, old.id, values)
         if refused.status_code != 422:
             raise
         return await _builder(request, bench, reader, old, typed=kept, refused=refused)
@@ -115,8 +119,8 @@ async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, 
     titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await _titles(bench, reader.language)
     stored = written(found, clock.zone(here(reader).course.time_zone))
     both = clash(reader.language, values, stored, titles)
-    if not both.mine and not both.theirs:
-        return RedirectResponse(await _where(bench, found), 303)  # one button pressed twice
+    if not both.mine and not both.theirs:  # one button pressed twice, or a draft that was saved as it was
+        return await _unhindered(request, bench, reader, found, values)
     who = await bench.people.person(found.changed_by) if found.changed_by else None
     mine = reader.person is not None and found.changed_by == reader.person.id
     told = {"clash": both, "who": who.name if who else None, "mine": mine}
@@ -124,9 +128,14 @@ async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, 
     return await _builder(request, bench, reader, found, typed=form, told=told, status=409)
 
 
-async def _where(bench: Bench, found: TaskSet) -> str:
+async def _unhindered(
+    request: Request, bench: Bench, reader: Reader, found: TaskSet, values: Mapping[str, str]
+) -> Response:
+    """Do what was asked of a draft in which nothing stands otherwise, or show what has become of it."""
+    if found.state == DRAFT:
+        return await _save(request, bench, reader, found, {**values, "revision": str(found.revision)})
     job = await bench.jobs.latest(publishing.NAME, found.id)
-    return f"/jobs/{job.id}" if job and job.live else f"/sets/{found.id}"
+    return RedirectResponse(f"/jobs/{job.id}" if job and job.live else f"/sets/{found.id}", 303)
 
 
 @router.post("/sets/{task_set}/remove")

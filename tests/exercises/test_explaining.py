@@ -14,7 +14,7 @@ import re
 import pytest
 
 from exercises import catalogue, variants
-from exercises.exercise import Grade, Submission, Variant
+from exercises.exercise import Submission, Variant
 from exercises.grading import grade, reference
 from exercises.presenting import hints, hints_text
 from exercises.solving import solved
@@ -26,16 +26,13 @@ from graders.line_slips import slips_in
 from graders.plausible import plausible
 from graders.units import read_unit
 from graders.words import LANGUAGES, common_hint, locale
+from tests.exercises.handing import handed_in
 
 CRANK = variants.deal("slider_crank", 1)
 BEAM = variants.deal("simple_beam", 2)
 ARM = variants.deal("rrr_matrices", 1)
 PAIRS = variants.deal("mobility", 3)
 BARS = variants.deal("four_bar", 1)
-
-
-def handed_in(variant: Variant, **changed: str) -> Grade:
-    return grade(Submission(variant, {**reference(variant), **changed}))
 
 
 def value(variant: Variant, name: str) -> float:

@@ -5,19 +5,16 @@ from __future__ import annotations
 import pytest
 
 from exercises import variants
-from exercises.exercise import Grade, Submission, Variant
-from exercises.grading import grade, reference
+from exercises.exercise import Grade, Variant
+from exercises.grading import reference
 from exercises.solving import solved
 from exercises.structure.mobility import Givens
 from exercises.structure.mobility.parts import Dyad, Start, Strut
 from graders import Code
+from tests.exercises.handing import handed_in
 
 DYADS = Dyad("rocker_down", "link"), Dyad("slider_level", "joint")
 CRANK, GEARS = (Variant("mobility", 2, 1, Givens((Start(kind), *DYADS), "left")) for kind in ("crank", "gears"))
-
-
-def handed_in(variant: Variant, **changed: str) -> Grade:
-    return grade(Submission(variant, {**reference(variant), **changed}))
 
 
 def made(variant: Variant, **lines: str) -> Grade:

@@ -13,12 +13,13 @@ from __future__ import annotations
 import pytest
 
 from exercises import variants
-from exercises.exercise import Grade, Submission, Value, Variant
-from exercises.grading import grade, reference
+from exercises.exercise import Value, Variant
+from exercises.grading import reference
 from exercises.solving import evaluate, solved
 from exercises.variants import modes, slipped
 from graders import Code
 from graders.common_slips import CommonSlip
+from tests.exercises.handing import handed_in
 
 CRANK = variants.deal("slider_crank", 1)
 BEAM = variants.deal("simple_beam", 1)
@@ -26,10 +27,6 @@ BARS = variants.deal("four_bar", 1)
 INVERSE = variants.deal("rrr_inverse", 1)
 SHAFT = variants.deal("stepped_shaft", 1)
 POLYGON = variants.deal("slider_crank_polygon", 1)
-
-
-def handed_in(variant: Variant, **changed: str) -> Grade:
-    return grade(Submission(variant, {**reference(variant), **changed}))
 
 
 def shown(variant: Variant, values: dict[str, Value], *names: str) -> dict[str, str]:

@@ -20,7 +20,9 @@ from server.web.errors import Refused
     ],
 )
 def test_what_dealing_may_yet_take_is_left_to_it(task: Task) -> None:
-    refuse_unfit([task])
+    with pytest.raises(Refused) as refused:
+        refuse_unfit([task, (("slider_crank",), {"l9": (0.0, 1.0)})])
+    assert refused.value.field == "items.1.limits"  # of the other task alone
 
 
 @pytest.mark.parametrize(
