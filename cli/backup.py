@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from cli import store
-from server import backup as copies
+from server.upkeep import backup as copies
 
 
 def arguments(parser: ArgumentParser) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cli import store
 from cli.backup import said
-from server import backup as copies
+from server.upkeep import backup as copies
 
 
 def arguments(parser: ArgumentParser) -> None:

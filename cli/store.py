@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from cli.problems import Unusable
-from server.backup import BackupError
 from server.database.engine import UNANSWERED
 from server.migrate import MigrationError
 from server.settings import Settings, SettingsError, from_environment
+from server.upkeep.backup import BackupError
 
 
 def arguments(parser: ArgumentParser) -> None:

@@ -14,10 +14,13 @@ from fastapi import APIRouter, Depends, FastAPI, Request
 from starlette.routing import Mount
 
 from exercises import catalogue
-from server import audit_log, comparing, exercises, policy, solving
+from server import policy
 from server.answering import drafts, hints, pages, previews, problems, reports, submissions, typing_page, variants
 from server.answering.judging import Judging, JudgingThread
-from server.bench import Bench
+from server.audit import api as audit
+from server.audit import pages as audit_pages
+from server.catalogue import api as exercise_api
+from server.catalogue import pages as catalogue_pages
 from server.courses import api as courses
 from server.courses import pages as course_pages
 from server.database import Database, secret_of
@@ -39,11 +42,13 @@ from server.sets import api as task_sets
 from server.sets import handing
 from server.sets import pages as set_pages
 from server.settings import Settings
+from server.solvers import comparing, solving
 from server.storage import Storage, StorageUnavailable
 from server.storage.jobs import Jobs
 from server.web import errors, health, metrics, static_files
 from server.web.envelope import Envelope
 from server.web.limits import Limiter
+from server.workbench import Bench
 
 IDLE = timedelta(days=30)  # anonymous practice is forgotten after
 SERVER = "server"  # the worker of an embedded store: there is one
@@ -53,7 +58,7 @@ PURGE = 24 * 3600.0  # s between two purges
 ROUTERS = (
     health.router,
     metrics.router,
-    exercises.router,
+    exercise_api.router,
     variants.router,
     previews.router,
     submissions.router,
@@ -63,6 +68,7 @@ ROUTERS = (
     reports.router,
     solving.router,
     comparing.router,
+    catalogue_pages.router,
     pages.router,
     typing_page.router,
     problems.pages,
@@ -74,8 +80,8 @@ ROUTERS = (
     everybody_pages.router,
     personal.router,
     personal.pages,
-    audit_log.router,
-    audit_log.pages,
+    audit.router,
+    audit_pages.router,
     signin_pages.router,
     oidc_pages.router,
     account_pages.router,

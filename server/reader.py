@@ -12,7 +12,6 @@ from urllib.parse import urlsplit
 
 from fastapi import Depends, Request, Response
 
-from server.bench import Bench, Tools
 from server.people import sessions, tokens
 from server.policy import POLICIES, CourseRole, InCourse, Role
 from server.storage import Owner
@@ -22,6 +21,7 @@ from server.web import ids, language
 from server.web.errors import Refused, printable
 from server.web.limits import ADDRESS, DOCUMENTS, DOCUMENTS_OF_ADDRESS, NEWCOMERS, OWNER
 from server.web.typed import repeated_name
+from server.workbench import Bench, Tools
 
 COOKIE = "grubler_practice"
 COOKIE_FORM = re.compile(r"[A-Za-z0-9_-]{43}")

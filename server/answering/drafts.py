@@ -10,7 +10,6 @@ from pydantic import BaseModel, ConfigDict, Field, StrictInt
 
 from exercises import catalogue
 from server.answering.variants import GONE, restored, visible
-from server.bench import Bench, Tools
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit
 from server.sets import handing
@@ -18,6 +17,7 @@ from server.sets.rules import Stage
 from server.storage import Answers, Dealt, Draft, Marked
 from server.web.errors import Failure, Refused, printable, unknown_variant
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 MOST_REVISIONS = 2**31 - 2
 

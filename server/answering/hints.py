@@ -14,13 +14,13 @@ from exercises import presenting
 from graders.verdict import OUTCOMES, Code, Outcome
 from server.answering.variants import GONE, ladder_is_open, restored, visible
 from server.answering.workspace import Line, laddered
-from server.bench import Bench, Tools
 from server.reader import Asking, Reader, admit
 from server.sets.handing import is_held, refuse_unless_working, rules_of
 from server.storage import Dealt
 from server.storage.sets import Hint, Place
 from server.web.errors import Failure, Refused
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 ASTRAY = (Outcome.WRONG, Outcome.PARTLY)
 MOST_STEPS = 9

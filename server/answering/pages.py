@@ -1,4 +1,4 @@
-"""The pages: catalogue, exercise, workspace, worked solution. Complete HTML; scripts only add to it."""
+"""The pages of a variant: dealing one, workspace, worked solution. Complete HTML; scripts only add to it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from server.answering.forms import Form
 from server.answering.hints import open_hint, price, with_ladders
 from server.answering.laboratory import laboratory, without_empty
 from server.answering.receipts import whole
-from server.answering.shelf import Wish, card
 from server.answering.submissions import Graded, graded, receipted, submit
 from server.answering.variants import (
     dealt_to,
@@ -32,9 +31,7 @@ from server.answering.variants import (
     visible,
 )  # fmt: skip
 from server.answering.workspace import lines, marked
-from server.bench import Bench, Tools
 from server.courses import zones
-from server.exercises import known
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit, remember
 from server.sets.standing import on_page
@@ -43,6 +40,7 @@ from server.web import ids
 from server.web.errors import Refused
 from server.web.language import part
 from server.web.templating import page
+from server.workbench import Bench, Tools
 
 SECTIONS = 13  # of the form of report TMM-2
 
@@ -61,27 +59,6 @@ class Work:
     reported: bool | None = None
     section: int | None = None
     past: bool = False
-
-
-@router.get("/")
-async def show_catalogue(
-    request: Request, bench: Tools, reader: Asking,
-    chapter: Annotated[str, Query(max_length=40)] = "", q: Annotated[str, Query(max_length=80)] = "",
-    answer: Annotated[frozenset[str], Query()] = frozenset(),
-) -> HTMLResponse:  # fmt: skip
-    """Show all exercises, or those of a chapter, or those that say something or are answered in some way."""
-    cards = [await card(bench, name, reader.language) for name in catalogue.ids()]
-    wish = Wish(chapter, q, answer)
-    counts = {"chapters": wish.chapters(cards), "ways": wish.answered_by(cards)}
-    context = {"cards": wish.found(cards), **counts, "chapter": chapter, "q": q, "chosen": answer}
-    return page(request, reader.language, "catalogue.html", context)
-
-
-@router.get("/exercises/{exercise}")
-async def show_exercise(exercise: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
-    """Show one exercise and the button that deals a variant."""
-    context = {"card": await card(bench, known(exercise), reader.language), "max_seed": MAX_SEED}
-    return page(request, reader.language, "exercise.html", context)
 
 
 @router.post("/exercises/{exercise}")

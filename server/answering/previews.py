@@ -16,12 +16,12 @@ from graders.words import message, noted, printed_unit
 from server.answering.echoes import breakable
 from server.answering.relations import relations
 from server.answering.variants import GONE, restored, visible
-from server.bench import Bench, Tools
 from server.reader import Asking, admit
 from server.sets import handing
 from server.storage import Dealt
 from server.web.errors import Failure, Refused, printable
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 SPACE, DEGREE = '<mspace width=".2em"/>', "°"  # between a number and its unit, and the unit that stands close
 

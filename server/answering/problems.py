@@ -14,7 +14,6 @@ from starlette.responses import HTMLResponse, RedirectResponse
 
 from server.answering import forms
 from server.answering.variants import GONE, visible
-from server.bench import Bench, Tools
 from server.courses import zones
 from server.policy import Role, may_answer
 from server.reader import Asking, Reader, admit
@@ -24,6 +23,7 @@ from server.web import ids
 from server.web.errors import Failure, Refused, unknown_variant
 from server.web.templating import page
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 LONGEST = 2000  # characters
 MOST_OPEN = 10  # problems of one variant

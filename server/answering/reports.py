@@ -15,12 +15,12 @@ from reports.document import Document
 from reports.tmm2 import HandedIn, NoReport, Person, tmm2
 from server.answering.submissions import Graded, graded, receipted
 from server.answering.variants import GONE, restored, visible
-from server.bench import Bench, Tools
 from server.courses import zones
 from server.reader import Asking, Reader, admit
 from server.sets.clock import named
 from server.storage import Dealt
 from server.web.errors import Failure, Refused
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1/reports", dependencies=[Depends(admit)], tags=["reports"])
 Written = Annotated[str, Query(max_length=80)]

@@ -18,7 +18,6 @@ from graders.words import message
 from server.answering import receipts
 from server.answering.receipts import GRADE, whole
 from server.answering.variants import GONE, restored, sees, visible
-from server.bench import Bench, Tools
 from server.marks import counting
 from server.policy import may_answer
 from server.reader import Asking, Reader, admit
@@ -29,6 +28,7 @@ from server.storage.sets import Line, Place
 from server.web import ids
 from server.web.errors import Failure, Refused, printable, unknown_variant
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 KEY_LONGEST = 64
 

@@ -26,9 +26,9 @@ from graders import (
 )
 from server.answering.previews import Understood, told
 from server.answering.workspace import HELPED
-from server.bench import Tools
 from server.reader import Asking, admit
 from server.web.templating import page
+from server.workbench import Tools
 
 SYMBOLS = Symbols(["l1", "l2", "alpha1", "alpha2", "omega1", "a", "b", "x", "q1", "q2", "L1", "L2", "R_A", "F1", "a1"])
 NUMBER, ANGLE, FORMULA = Quantity("kN"), Quantity("deg"), Expression(step="x")

@@ -15,14 +15,14 @@ from exercises import presenting
 from exercises import variants as dealing
 from exercises.catalogue import UnknownExercise
 from exercises.exercise import Variant
-from server.bench import Bench, Tools
-from server.exercises import known
+from server.catalogue.api import known
 from server.policy import CourseRole, Role, may_see_solution, may_see_variant
 from server.reader import Asking, Reader, admit, remember, role_in, welcome
 from server.sets import handing
 from server.storage import Dealt
 from server.web import ids
 from server.web.errors import Failure, Refused, unknown_variant
+from server.workbench import Bench, Tools
 
 USED = timedelta(days=1)  # how exactly the last use is noted; a variant expires after 30 idle days
 SEED_RANGE = dealing.MAX_SEED

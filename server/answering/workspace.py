@@ -14,8 +14,8 @@ from server.answering import forms
 from server.answering.previews import Understood, as_typed, understood
 from server.answering.receipts import whole
 from server.answering.submissions import ByHand, Graded, Judged
-from server.bench import Bench
 from server.web.errors import Refused
+from server.workbench import Bench
 
 SHORT = ("quantity", "integer", "rational")
 LONG = {

@@ -12,8 +12,7 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 from fastapi import APIRouter, Depends
 from pydantic import BaseModel, Field, StrictBool
 
-from server import audit
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.courses import rosters
 from server.courses.headings import Meaning
 from server.people import identity
@@ -26,6 +25,7 @@ from server.web import ids
 from server.web.errors import Failure, Refused
 from server.web.language import LANGUAGES
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["courses"])
 HERE: dict[int | str, dict[str, Any]] = REFUSED | {404: {"model": Failure}}
@@ -270,7 +270,7 @@ def _new_code() -> str:
 async def renew_code(bench: Bench, reader: Reader, wanted: bool) -> None:
     """Give a course another join code, or none."""
     course = here(reader).course.id
-    entry = audit.entry(reader, Action.JOINING_CHANGED, course, open=wanted)
+    entry = acts.entry(reader, Action.JOINING_CHANGED, course, open=wanted)
     while not await bench.courses.set_code(course, _new_code() if wanted else None, entry):
         continue
 
@@ -298,9 +298,9 @@ async def place(bench: Bench, reader: Reader, member: Member, role: str, group: 
     if role != member.role and not may_change_role(_actor(reader), member.person.id):
         raise Refused(403, "own_role")
     if role == member.role:
-        entry = audit.entry(reader, Action.MEMBER_CHANGED, member.person.id, group=group)
+        entry = acts.entry(reader, Action.MEMBER_CHANGED, member.person.id, group=group)
     else:
-        entry = audit.entry(reader, Action.ROLE_CHANGED, member.person.id, role=role, before=member.role)
+        entry = acts.entry(reader, Action.ROLE_CHANGED, member.person.id, role=role, before=member.role)
     if not await bench.courses.change(here(reader).course.id, member.person.id, role, group, entry):
         raise Refused(404, "unknown_group", field="group")
 
@@ -309,7 +309,7 @@ async def remove(bench: Bench, reader: Reader, member: Member) -> None:
     """Take a member out; raises Refused for oneself."""
     if not may_change_role(_actor(reader), member.person.id):
         raise Refused(403, "own_role")
-    entry = audit.entry(reader, Action.MEMBER_REMOVED, member.person.id, role=member.role)
+    entry = acts.entry(reader, Action.MEMBER_REMOVED, member.person.id, role=member.role)
     await bench.courses.leave(here(reader).course.id, member.person.id, entry)
 
 
@@ -325,7 +325,7 @@ async def take_roster(bench: Bench, reader: Reader, text: str, apply: bool) -> t
     if apply and read.unread:
         raise Refused(422, "unread_roster", field="csv", line=read.unread[0].line)
     course, now = here(reader).course.id, datetime.now(UTC)
-    return await bench.courses.roster(course, read.rows, now, apply, audit.actor_of(reader)), read
+    return await bench.courses.roster(course, read.rows, now, apply, acts.actor_of(reader)), read
 
 
 def _actor(reader: Reader) -> str | None:

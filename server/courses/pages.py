@@ -10,7 +10,6 @@ from starlette.exceptions import HTTPException
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server.answering import forms
-from server.bench import Bench, Tools
 from server.courses import api as courses
 from server.courses import rosters
 from server.courses.headings import Meaning
@@ -23,6 +22,7 @@ from server.web.envelope import LARGEST_ROSTER
 from server.web.errors import Refused
 from server.web.language import say
 from server.web.templating import page
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 ROLES = tuple(role.name.lower() for role in CourseRole)

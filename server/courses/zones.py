@@ -6,10 +6,10 @@ from datetime import UTC, tzinfo
 from functools import partial
 from typing import Any
 
-from server.bench import Bench
 from server.reader import Reader
 from server.sets import clock
 from server.storage import Dealt
+from server.workbench import Bench
 
 
 async def of_reader(bench: Bench, reader: Reader) -> tzinfo:

@@ -12,13 +12,13 @@ from fastapi import APIRouter, Depends, Response
 from pydantic import BaseModel
 from starlette.responses import StreamingResponse
 
-from server.bench import Bench, Tools
 from server.courses.api import HERE
 from server.jobs.kinds import KINDS
 from server.jobs.streams import AGAIN, Stream
 from server.reader import COURSES, Asking, admit
 from server.storage.jobs import Job
 from server.web.errors import Failure, Refused
+from server.workbench import Bench, Tools
 
 LOOK = 0.5  # s between two looks at a job that is watched
 HEARTBEAT = 10.0  # s; proxies close what is silent for longer

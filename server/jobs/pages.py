@@ -5,7 +5,6 @@ from __future__ import annotations
 from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from server.bench import Tools
 from server.courses.api import here
 from server.jobs.api import cancelled, items_of, job_of
 from server.policy import CourseRole
@@ -13,6 +12,7 @@ from server.reader import Asking, admit
 from server.sets.publishing import troubles
 from server.sets.wording import said
 from server.web.templating import page
+from server.workbench import Tools
 
 AGAIN = 2  # s until the page looks again where no script does
 

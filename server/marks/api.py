@@ -7,8 +7,7 @@ from typing import Any
 
 from fastapi import APIRouter, Depends, Response
 
-from server import audit
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.courses.api import HERE, here
 from server.marks import export, giving, gradebook
 from server.marks.giving import NewMark, Settling
@@ -32,6 +31,7 @@ from server.marks.shapes import (
 from server.reader import Asking, Reader, admit
 from server.sets.api import set_of
 from server.storage.audit import Action
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["marks"])
 FILES: dict[int | str, dict[str, Any]] = HERE | {200: {"content": {kind: {} for kind in export.MEDIA.values()}}}
@@ -73,7 +73,7 @@ async def _file(
 ) -> Response:
     content = await asyncio.to_thread(export.written, table, form, separator)
     course = here(reader).course.id
-    await bench.audit.note(audit.entry(reader, Action.MARKS_EXPORTED, course, students=len(table.rows)))
+    await bench.audit.note(acts.entry(reader, Action.MARKS_EXPORTED, course, students=len(table.rows)))
     attached = {"Content-Disposition": f'attachment; filename="marks.{form}"', "Cache-Control": "no-store"}
     return Response(content, media_type=export.MEDIA[form], headers=attached)
 

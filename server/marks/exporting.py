@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 
-from server.audit import COMMAND_LINE
+from server.audit.acts import COMMAND_LINE
 from server.database import Database
 from server.marks import export, gradebook
 from server.settings import Settings

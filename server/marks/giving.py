@@ -9,9 +9,8 @@ from typing import Annotated
 
 from pydantic import Field, StrictInt
 
-from server import audit
 from server.answering.receipts import whole
-from server.bench import Bench
+from server.audit import acts
 from server.marks.counting import Given, by_submission, left_open
 from server.people.api import Strict, themselves
 from server.reader import Reader
@@ -22,6 +21,7 @@ from server.storage.sets import Line, TaskSet
 from server.web import ids
 from server.web.errors import Refused, printable
 from server.web.typed import Typed
+from server.workbench import Bench
 
 Comment = Annotated[Typed, Field(max_length=4000)]
 Share = Annotated[float, Field(ge=0, le=1, strict=True)]
@@ -77,7 +77,7 @@ async def give(bench: Bench, reader: Reader, task_set: TaskSet, new: NewMark) ->
     if not new.comment.strip() and (new.share is None or not await _is_open(bench, marked, new.answer)):
         raise Refused(422, "mark_without_reason", field="comment")
     mark = Mark(new.receipt, new.answer, new.share, new.comment.strip(), themselves(reader).id, datetime.now(UTC))
-    entry = audit.entry(
+    entry = acts.entry(
         reader, Action.MARK_GIVEN, place.card.person, set=task_set.id, receipt=new.receipt, answer=new.answer,
         share=new.share,
     )  # fmt: skip
@@ -126,7 +126,7 @@ async def settle(bench: Bench, reader: Reader, task_set: TaskSet, new: Settling)
     lines = [line for one in same for line in one.lines if line.person != themselves(reader).id]
     if not lines:
         raise Refused(404, "settled_already")
-    await bench.marks.give(_alike(lines, new, themselves(reader).id), audit.entry(
+    await bench.marks.give(_alike(lines, new, themselves(reader).id), acts.entry(
         reader, Action.MARK_GIVEN, task_set.id, item=new.item, answer=new.answer, share=new.share,
         submissions=len(lines),
     ))  # fmt: skip

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from exercises import presenting
 from server.answering.variants import PRESENTED
-from server.bench import Bench
 from server.marks.counting import NONE, by_submission, earned, left_open
 from server.marks.gradebook import Cell, Row, computed, material, students
 from server.sets.handing import rules_of
@@ -16,6 +15,7 @@ from server.storage.marks import Mark
 from server.storage.sets import Card, Line, TaskSet
 from server.web.errors import Refused
 from server.web.language import DEFAULT
+from server.workbench import Bench
 
 
 @dataclass(frozen=True, slots=True)

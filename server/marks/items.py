@@ -14,7 +14,6 @@ from graders.common_slips import CommonSlip
 from graders.verdict import OUTCOMES, Code, Outcome
 from graders.words import common_hint
 from server.answering.receipts import whole
-from server.bench import Bench
 from server.marks.analysis import Analysis, Try, analysed
 from server.marks.counting import entries
 from server.marks.gradebook import Cell, Gradebook, Material, Row, computed, material, students
@@ -22,6 +21,7 @@ from server.sets.handing import rules_of
 from server.sets.rules import Rules
 from server.storage import Handed
 from server.storage.sets import Line, Slot, TaskSet
+from server.workbench import Bench
 
 LONGEST = 200  # characters of a wrong answer that are shown
 

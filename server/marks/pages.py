@@ -17,7 +17,6 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 from graders import Code
 from server.answering import forms
 from server.answering.receipts import whole
-from server.bench import Bench, Tools
 from server.courses.api import here
 from server.courses.zones import told
 from server.marks import giving, gradebook
@@ -37,6 +36,7 @@ from server.sets.pages import title_of
 from server.web.errors import Refused
 from server.web.language import say
 from server.web.templating import decimal, page
+from server.workbench import Bench, Tools
 
 MOST_OPEN = 50  # open answers on a page
 OPEN = "\ue000", "\ue001"  # where the address and the name of a student will stand

@@ -10,9 +10,8 @@ from fastapi import APIRouter, Depends, Request
 from pydantic import BaseModel, StrictBool
 from starlette.responses import RedirectResponse, Response
 
-from server import audit
 from server.answering import forms
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.courses import api as courses
 from server.courses.api import HERE, ShownCourse, here
 from server.marks.export import inert
@@ -24,6 +23,7 @@ from server.storage.audit import Action
 from server.storage.courses import Member
 from server.web.errors import Refused
 from server.web.language import say
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["courses"])
 pages = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
@@ -107,7 +107,7 @@ async def personal_link(bench: Bench, reader: Reader, member: Member) -> str:
     """
     person = member.person
     await _refuse_others(bench, reader, member)
-    purpose, actor = "reset" if person.password else "join", audit.actor_of(reader)
+    purpose, actor = "reset" if person.password else "join", acts.actor_of(reader)
     return await identity.make_link(bench.people, bench.settings, purpose, actor, person, here(reader).course.id)
 
 
@@ -120,7 +120,7 @@ async def unclaim(bench: Bench, reader: Reader, member: Member) -> None:
     if member.claimed is None:
         raise Refused(404, "unclaimed")
     await _refuse_others(bench, reader, member)
-    await bench.people.unclaim(member.person.id, audit.entry(reader, Action.CLAIM_UNDONE, member.person.id))
+    await bench.people.unclaim(member.person.id, acts.entry(reader, Action.CLAIM_UNDONE, member.person.id))
 
 
 async def _refuse_others(bench: Bench, reader: Reader, member: Member) -> None:
@@ -147,7 +147,7 @@ async def links_for_all(bench: Bench, reader: Reader) -> list[LinkFor]:
     bare = [one for one in await bench.courses.members(course) if await _waits(bench, reader, one)]
     bare.sort(key=lambda one: (groups.get(one.group or "", ""), one.person.name))
     made = [identity.new_link(bench.settings, "join", one.person, course) for one in bare]
-    await bench.people.keep_links([link for link, _ in made], audit.actor_of(reader))
+    await bench.people.keep_links([link for link, _ in made], acts.actor_of(reader))
     return [
         LinkFor(
             link=address, person=one.person.id, login=one.person.login, name=one.person.name,
@@ -171,4 +171,4 @@ def table(language: str, links: list[LinkFor]) -> bytes:
 async def let_claim(bench: Bench, reader: Reader, wanted: bool) -> None:
     """Let the course code give away places of the roster, or not."""
     course = here(reader).course.id
-    await bench.courses.let_claim(course, wanted, audit.entry(reader, Action.JOINING_CHANGED, course, claims=wanted))
+    await bench.courses.let_claim(course, wanted, acts.entry(reader, Action.JOINING_CHANGED, course, claims=wanted))

@@ -9,7 +9,6 @@ from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server.answering import forms
-from server.bench import Bench, Tools
 from server.courses import api as courses
 from server.courses import zones
 from server.people import api as people
@@ -22,6 +21,7 @@ from server.sets import clock, home
 from server.web import language
 from server.web.errors import Refused
 from server.web.templating import THEMES, keep_preferences, page
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 

@@ -7,7 +7,7 @@ from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime
 from typing import Any, TypeVar
 
-from server.audit import COMMAND_LINE
+from server.audit.acts import COMMAND_LINE
 from server.database import Database
 from server.people import identity, personal
 from server.settings import Settings

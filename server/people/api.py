@@ -8,8 +8,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Request, Response
 from pydantic import BaseModel, ConfigDict, Field
 
-from server import audit
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.people import identity, sessions, tokens
 from server.policy import Role
 from server.reader import Asking, Reader, admit
@@ -18,6 +17,7 @@ from server.storage.people import Person, Session, Token
 from server.web import ids
 from server.web.errors import Failure, Refused
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["people"])
 REFUSED: dict[int | str, dict[str, Any]] = {status: {"model": Failure} for status in (401, 403, 422)}
@@ -199,13 +199,13 @@ async def new_token(bench: Bench, reader: Reader, name: str, role: str, days: in
         raise Refused(403, "forbidden", field="role")
     now = datetime.now(UTC)
     token = Token(ids.new(), person.id, identity.name_of(name)[:80], role.lower(), now, now + timedelta(days=days))
-    await bench.people.keep_token(token, audit.entry(reader, Action.TOKEN_MADE, token.id, role=token.role, days=days))
+    await bench.people.keep_token(token, acts.entry(reader, Action.TOKEN_MADE, token.id, role=token.role, days=days))
     return token, tokens.of_person(token.id, wanted, bench.secret, days * 24)
 
 
 async def revoke(bench: Bench, reader: Reader, token: str) -> None:
     """End one of one's own tokens; raises Refused where there is none."""
-    entry = audit.entry(reader, Action.TOKEN_REVOKED, token[:64])
+    entry = acts.entry(reader, Action.TOKEN_REVOKED, token[:64])
     if not await bench.people.revoke(signed_in(reader).id, token, datetime.now(UTC), entry):
         raise Refused(404, "unknown_token")
 

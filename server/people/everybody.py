@@ -9,8 +9,7 @@ from urllib.parse import quote
 from fastapi import APIRouter, Depends, Query
 from pydantic import BaseModel, StrictBool
 
-from server import audit
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.courses.api import ShownCourse, shown
 from server.people import identity
 from server.people.access import MadeLink
@@ -21,6 +20,7 @@ from server.reader import Asking, Reader, admit
 from server.storage.audit import Action
 from server.storage.people import Person
 from server.web.errors import Refused
+from server.workbench import Bench, Tools
 
 AT_ONCE = 50  # people on one page
 MOST_PAGES = 100_000
@@ -117,11 +117,11 @@ async def change(bench: Bench, reader: Reader, person: Person, role: str | None,
     if person.erased and (active or role not in (None, person.role)):
         raise Refused(403, "erased_person")
     if role is not None and role != person.role:
-        entry = audit.entry(reader, Action.ROLE_CHANGED, person.id, role=role, before=person.role)
+        entry = acts.entry(reader, Action.ROLE_CHANGED, person.id, role=role, before=person.role)
         await bench.people.set_role(person.id, role, entry)
     if active is not None and active != person.active:
         act = Action.PERSON_ENABLED if active else Action.PERSON_DISABLED
-        await bench.people.set_active(person.id, active, audit.entry(reader, act, person.id))
+        await bench.people.set_active(person.id, active, acts.entry(reader, act, person.id))
 
 
 async def let_in_again(bench: Bench, reader: Reader, person: Person) -> str:
@@ -129,12 +129,12 @@ async def let_in_again(bench: Bench, reader: Reader, person: Person) -> str:
     if not person.active:
         raise Refused(403, "closed_account")
     purpose = "reset" if person.password else "join"
-    return await identity.make_link(bench.people, bench.settings, purpose, audit.actor_of(reader), person)
+    return await identity.make_link(bench.people, bench.settings, purpose, acts.actor_of(reader), person)
 
 
 async def end_all(bench: Bench, reader: Reader, person: Person) -> None:
     """End all sessions, tokens and unused links of a person."""
-    await bench.people.end_all(person.id, datetime.now(UTC), audit.entry(reader, Action.SESSIONS_ENDED, person.id))
+    await bench.people.end_all(person.id, datetime.now(UTC), acts.entry(reader, Action.SESSIONS_ENDED, person.id))
 
 
 def listed(person: Person) -> ListedPerson:

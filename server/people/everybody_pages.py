@@ -7,14 +7,14 @@ from typing import Any
 from fastapi import APIRouter, Depends, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from server import audit
 from server.answering import forms
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.people import everybody, personal
 from server.people.everybody import Page, Sought
 from server.reader import Asking, Reader, admit
 from server.web.errors import Refused
 from server.web.templating import page as made
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 
@@ -66,7 +66,7 @@ async def erase_person(person: str, request: Request, bench: Tools, reader: Aski
     found = await everybody.known(bench, person)
     if typed != found.id:
         raise Refused(422, "erase_unconfirmed", field="number")
-    await personal.erase(bench, found.id, audit.actor_of(reader))
+    await personal.erase(bench, found.id, acts.actor_of(reader))
     return RedirectResponse(f"/people/{person}", 303)
 
 

@@ -10,7 +10,6 @@ from hmac import digest as hmac
 
 from fastapi import Request, Response
 
-from server.bench import Bench
 from server.people import passwords
 from server.reader import Reader
 from server.settings import Settings
@@ -19,6 +18,7 @@ from server.storage.people import Link, People, Person
 from server.web import ids
 from server.web.errors import Refused
 from server.web.limits import ALL_TRIES, TRIES, TRIES_FROM_ANYWHERE
+from server.workbench import Bench
 
 KNOWN = "grubler_known"  # a browser in which this person has signed in before
 KNOWN_DAYS = 180

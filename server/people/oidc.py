@@ -18,13 +18,13 @@ from joserfc.errors import JoseError
 from joserfc.jwk import KeySet, OctKey
 from starlette.concurrency import run_in_threadpool
 
-from server.bench import Bench
 from server.people import identity
 from server.people.oidc_fetch import Unreachable, fetch, trusted
 from server.settings import Provider
 from server.storage.people import Person
 from server.web import ids
 from server.web.errors import Refused
+from server.workbench import Bench
 
 COOKIE = "grubler_oidc"
 LASTS = 600  # s from leaving for the issuer to coming back

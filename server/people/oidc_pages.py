@@ -7,12 +7,12 @@ from typing import Annotated
 from fastapi import APIRouter, Depends, Query, Request
 from starlette.responses import RedirectResponse, Response
 
-from server.bench import Bench, Tools
 from server.people import oidc
 from server.people.signin_pages import HOME, inside, let_in
 from server.reader import Asking, admit
 from server.web.errors import Refused
 from server.web.limits import ALL_TRIES
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 Short = Annotated[str, Query(max_length=2048)]

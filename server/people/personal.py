@@ -17,9 +17,8 @@ from starlette.responses import JSONResponse, Response
 
 from graders import Code
 from graders.verdict import Outcome
-from server import audit
 from server.answering.receipts import GRADE
-from server.bench import Bench, Tools
+from server.audit import acts
 from server.people.api import REFUSED, signed_in
 from server.policy import Role
 from server.reader import Asking, admit
@@ -30,6 +29,7 @@ from server.storage.personal import Kept, Personal
 from server.storage.practice import Answers, Marked
 from server.storage.sets import Sets
 from server.web.errors import Failure, Refused
+from server.workbench import Bench, Tools
 
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
 GONE: dict[int | str, dict[str, Any]] = REFUSED | {404: {"model": Failure}}
@@ -41,31 +41,31 @@ pages = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 @router.get("/me/data", responses=REFUSED)
 async def show_own(bench: Tools, reader: Asking) -> dict[str, Any]:
     """Give all that is kept of oneself."""
-    return await given_out(bench, signed_in(reader).id, audit.actor_of(reader))
+    return await given_out(bench, signed_in(reader).id, acts.actor_of(reader))
 
 
 @router.get("/people/{person}/data", responses=GONE)
 async def show_data(person: str, bench: Tools, reader: Asking) -> dict[str, Any]:
     """Give all that is kept of a person."""
-    return await given_out(bench, person, audit.actor_of(reader))
+    return await given_out(bench, person, acts.actor_of(reader))
 
 
 @router.delete("/people/{person}", status_code=204, responses=GONE)
 async def erase_person(person: str, bench: Tools, reader: Asking) -> None:
     """Erase a person. Marks stay under a number; nothing brings the person back but a backup."""
-    await erase(bench, person, audit.actor_of(reader))
+    await erase(bench, person, acts.actor_of(reader))
 
 
 @pages.get("/account/data")
 async def download_own(bench: Tools, reader: Asking) -> Response:
     """Download all that is kept of oneself."""
-    return _file(await given_out(bench, signed_in(reader).id, audit.actor_of(reader)))
+    return _file(await given_out(bench, signed_in(reader).id, acts.actor_of(reader)))
 
 
 @pages.get("/people/{person}/data")
 async def download_data(person: str, bench: Tools, reader: Asking) -> Response:
     """Download all that is kept of a person."""
-    return _file(await given_out(bench, person, audit.actor_of(reader)))
+    return _file(await given_out(bench, person, acts.actor_of(reader)))
 
 
 def _file(data: dict[str, Any]) -> Response:

@@ -8,9 +8,9 @@ from datetime import UTC, datetime, timedelta
 
 from fastapi import Request, Response
 
-from server.bench import Bench
 from server.storage.people import Person, Session
 from server.web import ids
+from server.workbench import Bench
 
 COOKIE = "grubler_session"
 FORM = re.compile(r"[A-Za-z0-9_-]{43}")

@@ -9,7 +9,6 @@ from fastapi import APIRouter, Depends, Query, Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from server.answering import forms
-from server.bench import Bench, Tools
 from server.people import identity, sessions
 from server.people.identity import Newcomer
 from server.people.passwords import SHORTEST
@@ -18,6 +17,7 @@ from server.storage.people import Person
 from server.web import language
 from server.web.errors import Refused
 from server.web.templating import keep_preferences, page
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 Next = Annotated[str, Query(max_length=200)]

@@ -8,8 +8,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, Depends, Query, Response
 from pydantic import BaseModel, Field, StrictBool
 
-from server.audit import actor_of
-from server.bench import Bench, Tools
+from server.audit.acts import actor_of
 from server.courses.api import HERE
 from server.jobs.api import ShownJob, job_of, shown_job
 from server.people.api import Strict
@@ -20,6 +19,7 @@ from server.storage.jobs import Busy, Job
 from server.storage.sets import TaskSet
 from server.web.errors import Failure, Refused, printable
 from server.web.typed import Typed
+from server.workbench import Bench, Tools
 
 NOTHING: Mapping[str, Any] = {"changes": [], "references": []}
 

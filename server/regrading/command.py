@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 from server.answering.judging import JudgingThread
-from server.audit import COMMAND_LINE
+from server.audit.acts import COMMAND_LINE
 from server.database import Database, secret_of
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS

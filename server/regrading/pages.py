@@ -10,7 +10,6 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from graders.words import titled
 from server.answering import forms
-from server.bench import Tools
 from server.courses.api import here
 from server.marks.asking import asked
 from server.policy import CourseRole
@@ -20,6 +19,7 @@ from server.regrading.api import NOTHING, changes_of, ordered
 from server.sets.api import set_of
 from server.web.errors import printable
 from server.web.templating import page
+from server.workbench import Tools
 
 LONGEST_REASON = 200
 

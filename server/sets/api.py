@@ -9,10 +9,9 @@ from typing import Annotated, Any, Literal
 from fastapi import APIRouter, Depends, Path, Query, Response
 
 from reports import formats
-from server import audit
 from server.answering.variants import ShownVariant, shown, visible
-from server.audit import actor_of
-from server.bench import Bench, Tools
+from server.audit import acts
+from server.audit.acts import actor_of
 from server.courses.api import HERE, ShownCourse, here, start
 from server.jobs.api import ShownJob, shown_job
 from server.policy import COURSE_LECTURER, CourseRole, Role
@@ -46,6 +45,7 @@ from server.storage.courses import Course
 from server.storage.jobs import FAILED, Busy, Job
 from server.storage.sets import NotADraft, Slot, TaskSet
 from server.web.errors import Failure, Refused
+from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["task sets"])
 FROZEN: dict[int | str, dict[str, Any]] = HERE | {409: {"model": Failure}}
@@ -233,7 +233,7 @@ async def more_time(bench: Bench, reader: Reader, task_set: TaskSet, person: str
         raise Refused(404, "unknown_member")
     again = await handing.reopens(bench, task_set, person, given.minutes, datetime.now(UTC))
     told: dict[str, Detail] = {"reopened": True} if again else {}
-    entry = audit.entry(reader, Action.TIME_GIVEN, person, set=task_set.id, minutes=given.minutes, **told)
+    entry = acts.entry(reader, Action.TIME_GIVEN, person, set=task_set.id, minutes=given.minutes, **told)
     await bench.sets.accommodate(task_set.id, person, given.minutes, given.reason, entry)
     return again
 

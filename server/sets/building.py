@@ -13,7 +13,6 @@ from zoneinfo import ZoneInfo
 from pydantic import Field, StrictInt
 
 from exercises import catalogue
-from server.bench import Bench
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
 from server.sets.foresight import Scarce, refuse_unfit, scarce
@@ -24,6 +23,7 @@ from server.storage.sets import DRAFT, PUBLISHED, DeadlinesMoved, NotADraft, Slo
 from server.web import ids
 from server.web.errors import Refused, printable
 from server.web.typed import Typed
+from server.workbench import Bench
 
 MOST_SLOTS = 50
 Name = Annotated[Typed, Field(min_length=1, max_length=64)]

@@ -16,7 +16,6 @@ from exercises.variants import restore
 from graders import Code
 from server.answering import receipts
 from server.answering.judging import graded_as_asked
-from server.bench import Bench
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
 from server.storage import KeyReused, Marked, Problem
@@ -25,6 +24,7 @@ from server.storage.sets import weights_of as weights_in
 from server.web import ids
 from server.web.errors import Refused
 from server.web.language import DEFAULT, say
+from server.workbench import Bench
 
 MOST_OPEN = 10  # reported problems of one variant
 EXAM_SECONDS = 0.1  # that judging lasts at least while results are held back

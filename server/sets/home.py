@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
-from server.bench import Bench
 from server.sets.rules import Stage
 from server.sets.standing import Standing, Task, standing
 from server.storage.courses import Course
+from server.workbench import Bench
 
 LATEST = 5  # results that are shown
 NEVER = datetime.max.replace(tzinfo=UTC)

@@ -14,11 +14,10 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 from exercises import catalogue, presenting
 from exercises.variants import MAX_SEED
 from server.answering import forms
-from server.audit import actor_of
-from server.bench import Bench, Tools
+from server.audit.acts import actor_of
+from server.catalogue.api import sample
 from server.courses.api import here
 from server.courses.zones import told
-from server.exercises import sample
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import building, clock, publishing
@@ -32,6 +31,7 @@ from server.sets.standing import final, standing
 from server.storage.sets import DRAFT, PUBLISHING, TaskSet
 from server.web.errors import Refused, printable, wants_page
 from server.web.templating import page
+from server.workbench import Bench, Tools
 
 router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 NO_CLASH: Mapping[str, Any] = {"clash": None, "who": None, "mine": False}

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from functools import partial
 
-from server.bench import Bench
 from server.database import decks
 from server.sets import dealing
 from server.sets.dealing import Drawn, Plan, Trouble
@@ -16,6 +15,7 @@ from server.sets.rules import Rules, window
 from server.storage.jobs import Job, Kind, Order
 from server.storage.sets import Slot, TaskSet
 from server.web import ids
+from server.workbench import Bench
 
 NAME = "publish"
 PUBLISH = Kind(NAME, decks.read, dealing.prepare, decks.write, decks.finish, decks.undo, tells=True)

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
-from server.bench import Bench
 from server.courses import zones
 from server.marks.counting import by_submission, entries
 from server.sets import clock
@@ -15,6 +14,7 @@ from server.sets.handing import faulty, rules_of, shown_after, window_of
 from server.sets.rules import Entry, Rules, Stage, Window, combined, held, left, result
 from server.storage.marks import DealtCard
 from server.storage.sets import Line, Slot, TaskSet
+from server.workbench import Bench
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,9 +7,9 @@ import asyncio
 from fastapi import APIRouter, Depends
 from pydantic import BaseModel
 
-from server.bench import Tools
 from server.reader import admit
 from server.web.errors import Failure, unavailable
+from server.workbench import Tools
 
 SLOWEST = 3.0  # s
 router = APIRouter(dependencies=[Depends(admit)], tags=["operations"])

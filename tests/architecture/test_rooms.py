@@ -25,6 +25,10 @@ def test_the_machinery_of_the_exercise_room_has_at_most_ten_files() -> None:
     assert len([p for p in (ROOT / "exercises").glob("*.py") if p.name != "__init__.py"]) <= 10
 
 
+def test_the_top_of_the_server_room_holds_only_what_its_resources_share() -> None:
+    assert len([p for p in (ROOT / "server").glob("*.py") if p.name != "__init__.py"]) <= 8
+
+
 @cache
 def imported_by_grading() -> frozenset[str]:
     """Every module that a process has imported which has graded the reference of each exercise."""

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from starlette.testclient import TestClient
 
-from server import backup as copies
 from server.app import create_app
-from server.backup import BackupError, backup, content, restore
 from server.run import migrate
 from server.settings import Settings
+from server.upkeep import backup as copies
+from server.upkeep.backup import BackupError, backup, content, restore
 from tests.server.stores import Postgres, free_port
 
 

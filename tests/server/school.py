@@ -13,12 +13,12 @@ from pwdlib.hashers.argon2 import Argon2Hasher
 from starlette.testclient import TestClient
 
 from server.app import create_app
-from server.bench import Bench
 from server.people.passwords import Passwords
 from server.settings import Settings
 from server.storage.courses import Course, Group
 from server.storage.people import Person
 from server.web import ids
+from server.workbench import Bench
 
 CHEAP = Argon2Hasher(time_cost=1, memory_cost=8, parallelism=1)
 PASSWORD = "chalk and blackboard"

@@ -14,7 +14,7 @@ from exercises import catalogue
 from exercises.catalogue import Spoken
 from graders import words as graders_words
 from server.answering import variants
-from server.exercises import sample
+from server.catalogue.api import sample
 from server.web import language
 from tests.server.test_policy import bearer
 

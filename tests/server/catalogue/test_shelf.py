@@ -11,7 +11,7 @@ from exercises import catalogue
 from exercises.solving import solved
 from exercises.variants import deal
 from graders import KINDS
-from server.answering.shelf import WAYS
+from server.catalogue.shelf import WAYS
 
 
 def listed(client: TestClient, query: str) -> set[str]:

@@ -12,10 +12,10 @@ from graders.comparison.outcome import Verdict
 from mechanics.wire import reading
 from mechanics.wire.refusal import Refusal
 from mechanics.wire.solvers import without_id
-from server.bench import Tools
 from server.reader import admit
-from server.solving import identified
+from server.solvers.solving import identified
 from server.web.errors import Failure, Refused
+from server.workbench import Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["solvers"])
 TEXTS = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}

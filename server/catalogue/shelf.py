@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from exercises import catalogue, presenting
 from exercises.exercise import AnyExercise
-from server.bench import Bench
-from server.exercises import sample
+from server.catalogue.api import sample
 from server.web.templating import counted
+from server.workbench import Bench
 
 WAYS: Mapping[str, tuple[str, ...]] = {  # in which one answers, with the kinds of answers
     "number": ("quantity", "integer", "rational", "set"),

@@ -9,8 +9,8 @@ import pytest
 from sqlalchemy import delete
 from starlette.testclient import TestClient
 
-from server import audit_log
-from server.audit import COMMAND_LINE
+from server.audit import api
+from server.audit.acts import COMMAND_LINE
 from server.database import Database
 from server.database.audit import note
 from server.database.engine import engine
@@ -91,7 +91,7 @@ def test_a_link_for_a_shared_student_is_seen_in_both_courses(school: School) -> 
 
 
 def test_a_long_log_is_read_in_parts(school: School, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(audit_log, "AT_ONCE", 2)
+    monkeypatch.setattr(api, "AT_ONCE", 2)
     for at in range(5):
         school.portal.call(school.bench.audit.note, Entry("server", Action.REGRADED, f"job {at}", school.course))
     for path in ("/api/v1/audit", f"/api/v1/courses/{school.course}/audit"):

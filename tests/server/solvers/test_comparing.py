@@ -10,7 +10,7 @@ from starlette.testclient import TestClient
 
 from graders import comparison
 from tests.server.conftest import SECRET
-from tests.server.test_solving import bearer
+from tests.server.solvers.test_solving import bearer
 
 REQUEST = {"kind": "equation", "a": "x = a", "b": "x = 2*a", "solve_for": "x", "vars": {"x": [0, 2], "a": ["0", "1"]}}
 

@@ -11,10 +11,10 @@ from pydantic import BaseModel
 
 from exercises import catalogue, presenting
 from exercises.variants import deal
-from server.bench import Bench, Tools
 from server.reader import Asking, admit
 from server.web.errors import Failure, Refused
 from server.web.language import LANGUAGES
+from server.workbench import Bench, Tools
 
 MOST = 100  # exercises in one answer
 

@@ -12,9 +12,9 @@ from urllib.parse import quote
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from server import rows
 from server.migrate import current, migrate
 from server.settings import Settings
+from server.upkeep import rows
 
 NAME = "grubler.sqlite3"
 PAGES = 256  # copied at a time, so that a writer waits for no longer
