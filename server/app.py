@@ -156,6 +156,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     if app.state.assets.script is None:
         log.warning("The style sheet and the scripts are not built; pages are plain. Install the project again.")
     database = Database(settings.store_url)
+    app.state.metrics.registry.register(metrics.FailedWrites(database.practice.failures))
     judging = app.state.judging or JudgingThread()
     passwords = app.state.passwords or Passwords()
     secret = settings.secret or secret_of(settings.store_url)

@@ -10,6 +10,7 @@ from typing import TypeVar
 from sqlalchemy import Connection
 from sqlalchemy.exc import SQLAlchemyError
 
+from server.database import trial
 from server.database.engine import READERS, engine
 from server.database.writer import Writer
 from server.storage import StorageUnavailable
@@ -24,6 +25,7 @@ class Connections:
         self._writing = engine(url, connections=1, begin="BEGIN IMMEDIATE")
         self._reading = engine(url, connections=READERS)
         self._writer = Writer(self._writing)
+        self._proved = -1  # failures that a trial has answered; a store that was just opened has not been tried
         self._readers = ThreadPoolExecutor(READERS, "reader")
 
     async def write(self, write: Callable[[Connection], T]) -> T:
@@ -33,6 +35,23 @@ class Connections:
             StorageUnavailable: Nothing was written.
         """
         return await asyncio.wrap_future(self._writer.write(write))
+
+    async def prove(self) -> None:
+        """Try to write, once after each failure, so that a store that takes its writes is not worn by being asked.
+
+        Raises:
+            StorageUnavailable: The store does not take a write: it is full, or only reads.
+        """
+        failures = self._writer.failures
+        if failures == self._proved:
+            return
+        await self.write(trial.fill)
+        await self.write(trial.clear)
+        self._proved = failures
+
+    def failures(self) -> int:
+        """Tell how many pieces the store could not write since it was opened."""
+        return self._writer.failures
 
     async def read(self, read: Callable[[Connection], T]) -> T:
         """Read something.

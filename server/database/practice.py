@@ -129,9 +129,15 @@ class Practice:
         return await self._connections.write(lambda connection: connection.execute(change).rowcount)
 
     async def check(self) -> None:
-        """Raise StorageUnavailable unless the store answers and has the tables of this version or of a later one."""
+        """Raise StorageUnavailable unless the store answers, has the tables of this version or of a later one, and
+        takes a write."""
         if (await self._connections.read(_version)) < newest():
             raise StorageUnavailable("the store lacks migrations")
+        await self._connections.prove()
+
+    def failures(self) -> int:
+        """Tell how many pieces the store could not write since it was opened."""
+        return self._connections.failures()
 
 
 def _version(connection: Connection) -> str:

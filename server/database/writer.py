@@ -10,7 +10,7 @@ from threading import Thread
 from typing import Any, Generic, TypeAlias, TypeVar
 
 from sqlalchemy import Connection, Engine
-from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
+from sqlalchemy.exc import DBAPIError, InternalError, OperationalError, SQLAlchemyError
 
 from server.storage import StorageUnavailable
 
@@ -18,6 +18,7 @@ T = TypeVar("T")
 Result: TypeAlias = tuple[Any, Exception | None]
 LARGEST_GROUP = 256  # pieces of work in one transaction
 LONGEST_QUEUE = 4096  # pieces waiting; beyond it a client is asked to come back
+NOT_NOW = (OperationalError, InternalError)  # full, cut off, locked; a PostgreSQL that only reads
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +35,13 @@ class Writer:
     A promise is kept only after COMMIT. A group in which a piece fails is rolled back and written again with a
     savepoint for each piece, so that the piece fails alone; a piece may therefore run twice. When the transaction
     itself fails, every promise of the group is broken with `StorageUnavailable`.
+
+    Attributes:
+        failures: How many pieces the store could not write.
     """
 
     def __init__(self, engine: Engine) -> None:
+        self.failures = 0
         self._engine = engine
         self._queue: SimpleQueue[Work[Any] | None] = SimpleQueue()
         self._open = True
@@ -84,9 +89,11 @@ class Writer:
         try:
             results = self._together(group) or self._apart(group)
         except SQLAlchemyError as error:
+            self.failures += len(group)
             for work in group:
                 work.promise.set_exception(StorageUnavailable(str(error)))
             return
+        self.failures += sum(isinstance(failure, StorageUnavailable) for _, failure in results)
         for work, (value, failure) in zip(group, results, strict=True):
             if failure is None:
                 work.promise.set_result(value)
@@ -120,7 +127,7 @@ def _attempt(connection: Connection, write: Callable[[Connection], Any]) -> Resu
         value = write(connection)
     except DBAPIError as failure:
         savepoint.rollback()
-        return None, StorageUnavailable(str(failure)) if isinstance(failure, OperationalError) else failure
+        return None, StorageUnavailable(str(failure)) if isinstance(failure, NOT_NOW) else failure
     except Exception as failure:  # handed on to the one who asked; the others' writing stands
         savepoint.rollback()
         return None, failure

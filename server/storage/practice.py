@@ -189,7 +189,11 @@ class Storage(Protocol):
         ...
 
     async def check(self) -> None:
-        """Raise StorageUnavailable unless the store answers."""
+        """Raise StorageUnavailable unless the store answers and takes a write."""
+        ...
+
+    def failures(self) -> int:
+        """Tell how many pieces the store could not write since it was opened."""
         ...
 
     async def practised(self, owner: str) -> int:

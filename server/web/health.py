@@ -29,7 +29,7 @@ async def health() -> State:
 
 @router.get("/ready", responses={503: {"model": Failure}})
 async def ready(bench: Tools) -> State:
-    """The store answers as well, without delay, and has the tables of this version."""
+    """The store answers as well, without delay, has the tables of this version and takes what is written."""
     try:
         async with asyncio.timeout(SLOWEST):
             await bench.storage.check()

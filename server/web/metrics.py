@@ -1,10 +1,15 @@
-"""Figures for Prometheus: requests by route and status, how long they took, how busy the writer is."""
+"""Figures for Prometheus: requests by route and status, how long they took, writes that the store refused."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
 from fastapi import APIRouter, Depends, Request
-from prometheus_client import CollectorRegistry, Counter, Histogram
+from prometheus_client import CollectorRegistry, Counter, Histogram, Metric
+from prometheus_client.core import CounterMetricFamily
 from prometheus_client.exposition import CONTENT_TYPE_LATEST, generate_latest
+from prometheus_client.registry import Collector
 from starlette.responses import Response
 
 from server.reader import admit
@@ -13,6 +18,17 @@ from server.web.errors import Failure
 BUCKETS = (0.002, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0)  # s
 
 router = APIRouter(dependencies=[Depends(admit)], tags=["operations"])
+
+
+@dataclass(frozen=True, slots=True)
+class FailedWrites(Collector):
+    """What the store could not write, as the store counts it."""
+
+    count: Callable[[], int]
+
+    def collect(self) -> Iterator[Metric]:
+        """Give the figure as it is now."""
+        yield CounterMetricFamily("grubler_failed_writes", "What the store could not write.", value=self.count())
 
 
 class Metrics:

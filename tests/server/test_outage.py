@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from sqlalchemy import Connection, event, text
+from sqlalchemy import Connection, create_engine, event, text
 from starlette.testclient import TestClient
 
 from server.app import create_app
@@ -71,6 +71,27 @@ def test_while_the_database_is_away_clients_wait_and_afterwards_all_is_there(
     assert client.get("/ready").status_code == 200
     assert client.get(f"/api/v1/submissions/{kept['receipt']['id']}").json() == kept
     assert client.post(path, json=ANSWERS, headers={"idempotency-key": "again"}).status_code == 201
+
+
+def test_a_database_that_only_reads_is_not_ready_once_a_write_failed(server: OwnPostgres, client: TestClient) -> None:
+    """As hosts of databases do whose disk is full, and as one does that was a copy of another."""
+    client.get("/ready")
+    change(server, "on")
+    refused = client.post("/api/v1/exercises/slider_crank/variants", json={"seed": 9})
+    found = [client.get("/ready").status_code for _ in range(2)]
+    change(server, "off")
+    assert (refused.status_code, found) == (503, [503, 503])
+    assert client.get("/ready").status_code == 200
+
+
+def change(server: OwnPostgres, only_reads: str) -> None:
+    """Let all connections only read, or write again."""
+    store = create_engine(Settings(database_url=server.address).store_url, isolation_level="AUTOCOMMIT")
+    with store.connect() as connection:
+        connection.execute(text(f"ALTER SYSTEM SET default_transaction_read_only = {only_reads}"))
+        connection.execute(text("SELECT pg_reload_conf()"))
+        time.sleep(0.5)  # until every connection knows
+    store.dispose()
 
 
 def test_a_connection_cut_in_the_middle_of_writing_breaks_the_promise_and_the_next_one_is_kept(
