@@ -11,7 +11,7 @@ from figures.label import number
 from figures.lines import SMALL_HEAD, head, thin
 from figures.placing import GAP
 
-ROW = 20.0
+ROW = 24.0  # the figures of a narrow screen, larger than those of a wide one, clear the line above them
 RISE = 5.0  # of the base line above the line
 PAST = 5.0  # extension lines beyond the line
 

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from figures.beam import Couple, Dimension, Distributed, Force, Load, Mark, Support, draw
+from figures.dimensions import ROW
 from figures.picture import Table, Words
 from tests.depth import amount
 from tests.figures.reading import assert_sound, classes, heads, segments, texts
@@ -111,7 +112,7 @@ def test_named_points_and_small_gaps_find_room() -> None:
 def test_dimensions_that_share_no_place_share_the_nearest_row() -> None:
     lengths = [Dimension(0, 2, "2 m"), Dimension(2, 4, "2 m"), Dimension(0, 4, "4 m")]
     rows = [one.box.bottom for one in texts(draw("b", WORDS, 4, SIMPLE, [], lengths).svg) if "m" in one.text]
-    assert sorted(rows) == pytest.approx([rows[2], rows[2] + 20, rows[2] + 20])
+    assert sorted(rows) == pytest.approx([rows[2], rows[2] + ROW, rows[2] + ROW])
 
 
 @pytest.mark.parametrize(

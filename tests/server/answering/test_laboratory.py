@@ -151,6 +151,14 @@ def test_the_report_can_be_had_before_and_after_answering(client: TestClient, de
     assert "kinematics" in filled.text
 
 
+def test_section_six_shows_the_data_that_the_report_prints(client: TestClient, deal: Callable[..., str]) -> None:
+    seen = page(client, deal("tmm2_oop"))
+    section = seen[seen.index('id="section-6"') : seen.index('id="section-7"')]
+    assert 'id="givens"' in section and 'href="#givens"' in seen
+    for name, _, value in presented(dealt("tmm2_oop", 7), "en").data:
+        assert unescape(name) in section and value in section
+
+
 def test_the_students_own_polygon_is_drawn_in_section_five(client: TestClient, deal: Callable[..., str]) -> None:
     number = deal("tmm2_oop")
     assert "tmm2-oop-polygon" not in page(client, number)

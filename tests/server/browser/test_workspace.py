@@ -350,16 +350,41 @@ def test_an_answer_that_is_changed_in_another_tab_at_once_is_what_was_typed_last
     other.close()
 
 
+def on_a_phone(page: Page, site: Live, browser: Browser) -> Page:
+    """The same page of the same person on a phone; nothing that the first browser keeps."""
+    phone = browser.new_context(locale="en", viewport={"width": 360, "height": 740}, has_touch=True, is_mobile=True)
+    for cookie in page.context.cookies():
+        phone.add_cookies([{"name": cookie["name"], "value": cookie["value"], "url": site.url}])
+    small = phone.new_page()
+    small.goto(page.url)
+    return small
+
+
+def test_what_two_devices_wrote_is_asked_about_in_sight_of_a_phone(page: Page, site: Live, browser: Browser) -> None:
+    desk(page, site.url)
+    small = on_a_phone(page, site, browser)
+    page.fill("[name='answer.l3']", "17 mm")
+    page.keyboard.press("Tab")
+    page.wait_for_selector(SAVED)
+    small.fill("[name='answer.l3']", "18 mm")
+    small.tap("[name='answer.v3']")
+    asked = small.locator("[data-draft-conflict]")
+    expect(asked).to_be_in_viewport(ratio=1)
+    small.locator("[name='answer.alpha2']").focus()  # above the field that was left: it stands clear of the question
+    box, field = asked.bounding_box(), small.locator("[name='answer.alpha2']").bounding_box()
+    assert box is not None and field is not None and field["y"] >= box["y"] + box["height"]
+    small.tap("[data-draft-take=theirs]")
+    expect(small.locator("[name='answer.l3']")).to_have_value("17 mm")
+    assert asked.is_hidden()
+    small.context.close()
+
+
 def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live, browser: Browser) -> None:
     desk(page, site.url)
     page.fill("[name='answer.l3']", "17 mm")
     page.keyboard.press("Tab")
     page.wait_for_selector(SAVED)
-    phone = browser.new_context(locale="en", viewport={"width": 360, "height": 740}, has_touch=True, is_mobile=True)
-    for cookie in page.context.cookies():  # the same person; nothing that the first browser keeps
-        phone.add_cookies([{"name": cookie["name"], "value": cookie["value"], "url": site.url}])
-    small = phone.new_page()
-    small.goto(page.url)
+    small = on_a_phone(page, site, browser)
     assert small.input_value("[name='answer.l3']") == "17 mm"
     small.tap("[name='answer.omega2_formula']")
     small.tap(".keys button[data-insert='l1']")
@@ -372,7 +397,7 @@ def test_another_device_finds_what_was_typed_on_the_first(page: Page, site: Live
     assert small.evaluate("document.documentElement.scrollWidth") <= 360
     small.tap("[name='answer.l3']")  # leaving a field saves at once
     small.wait_for_selector(SAVED)
-    phone.close()
+    small.context.close()
     page.fill("[name='answer.v3']", "1 m/s")  # the other device came first: both are kept
     page.keyboard.press("Tab")
     expect(page.locator("[name='answer.omega2_formula']")).to_have_value("l1*")
