@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Depends, Query, Request
@@ -18,6 +19,7 @@ from server.people import access
 from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import building, clock
+from server.sets.reopening import solved_for
 from server.web.envelope import LARGEST_ROSTER
 from server.web.errors import Refused
 from server.web.language import say
@@ -122,11 +124,13 @@ def _back(course: str) -> Response:
 async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str, Any]) -> HTMLResponse:
     here = courses.here(reader)
     staff, lecturer = here.role >= CourseRole.ASSISTANT, here.role is CourseRole.LECTURER
+    sets, now = await bench.sets.of(here.course.id) if lecturer else [], datetime.now(UTC)
     context = {
         "course": here.course,
         "staff": staff,
         "lecturer": lecturer,
-        "seen_deadlines": building.deadlines(await bench.sets.of(here.course.id)) if lecturer else None,
+        "seen_deadlines": building.deadlines(sets),
+        "solved": [(one.title, await solved_for(bench, one, now)) for one in building.movable(sets, now)],
         "members": await bench.courses.members(here.course.id) if staff else [],
         "groups": await bench.courses.groups(here.course.id) if staff else [],
         "roles": ROLES,

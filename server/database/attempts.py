@@ -46,6 +46,13 @@ def _locked(connection: Connection, variant: str) -> dict[str, str]:
     return mine
 
 
+def used_up(connection: Connection, number: str) -> list[str]:
+    """List the students who have used up the attempts of some task of a set."""
+    counted = select(deck.c.person).join(attempts, attempts.c.variant == deck.c.variant)
+    tasks = within(counted, number, None).group_by(deck.c.slot, deck.c.person, slots.c.attempts)
+    return sorted(set(connection.execute(tasks.having(func.count() >= slots.c.attempts)).scalars()))
+
+
 def ledger(connection: Connection, number: str, person: str | None) -> list[Line]:
     """List the submissions to a set in the order received."""
     query = graded(select(*HANDED, grades.c.grade, grades.c.counted), number, person)

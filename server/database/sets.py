@@ -175,6 +175,10 @@ class Sets:
         """List the submissions to a set in the order received, of all students or one."""
         return await self._connections.read(lambda connection: attempts.ledger(connection, number, person))
 
+    async def used_up(self, number: str) -> Sequence[str]:
+        """List the students who have used up the attempts of some task of a set."""
+        return await self._connections.read(lambda connection: attempts.used_up(connection, number))
+
     async def reserved(self, exercise: str, now: datetime) -> bool:
         """Tell whether a published set that is not over deals an exercise."""
         return await self._connections.read(lambda connection: _reserved(connection, exercise, now))

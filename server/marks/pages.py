@@ -31,8 +31,9 @@ from server.policy import CourseRole
 from server.reader import Asking, Reader, admit
 from server.sets import clock
 from server.sets.api import set_of
-from server.sets.handing import told_results
+from server.sets.handing import rules_of
 from server.sets.pages import title_of
+from server.sets.reopening import solved_for, told_results
 from server.web.errors import Refused
 from server.web.language import say
 from server.web.templating import decimal, page
@@ -105,12 +106,14 @@ async def show_student(
     task_set: str, person: str, request: Request, bench: Tools, reader: Asking, reopened: bool = False
 ) -> HTMLResponse:
     """Show a student's work in a set as the student saw it, with the forms to mark it; `reopened` when extra time has
-    just opened an examination again."""
+    just opened again a set whose results or solutions were shown."""
     its_set, given = await set_of(bench, reader, task_set), await bench.sets.accommodations(task_set)
     found = await history(bench, its_set, person)
     most = max((minutes for minutes, _ in given.values()), default=0)
     context = {
         "task_set": its_set,
+        "exam": rules_of(its_set).mode == "exam",
+        "solved_for": await solved_for(bench, its_set, datetime.now(UTC)),
         "reopened": reopened,
         "results_told": told_results(its_set, found.row.window, most, datetime.now(UTC)),
         "found": found,

@@ -16,7 +16,7 @@ from server.courses.api import HERE, ShownCourse, here, start
 from server.jobs.api import ShownJob, shown_job
 from server.policy import COURSE_LECTURER, CourseRole, Role
 from server.reader import COURSES, Asking, Reader, admit, in_course
-from server.sets import building, handing, printing, publishing
+from server.sets import building, handing, printing, publishing, reopening
 from server.sets.building import Draft
 from server.sets.dealing import Trouble
 from server.sets.publishing import Troubled
@@ -29,6 +29,7 @@ from server.sets.shapes import (
     Later,
     ListedTaskSet,
     MoreTime,
+    MovedTaskSet,
     MyTaskSet,
     NewCard,
     NewTaskSet,
@@ -148,27 +149,27 @@ async def list_accommodations(task_set: str, bench: Tools, reader: Asking) -> li
 async def give_time(task_set: str, person: str, body: MoreTime, bench: Tools, reader: Asking) -> NewTime:
     """Give a student more time; it moves the deadlines and the time limit, also of work under way.
 
-    `reopened` warns that it opens an examination again whose results and solutions the student may have seen.
+    `reopened` warns that it opens a set again whose results or solutions the student may have seen.
     """
     again = await more_time(bench, reader, await set_of(bench, reader, task_set), person, body)
     return NewTime(person=person, minutes=body.minutes, reason=body.reason, reopened=again)
 
 
 @router.post("/task-sets/{task_set}/extend", responses=HERE)
-async def extend_set(task_set: str, body: Later, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
+async def extend_set(task_set: str, body: Later, bench: Tools, reader: Asking) -> list[MovedTaskSet]:
     """Move the deadlines of a set, unless it has closed; gives what was moved."""
     return await _extended(bench, reader, [await set_of(bench, reader, task_set)], body.minutes)
 
 
 @router.post("/courses/{course}/extend", responses=HERE)
-async def extend_course(course: str, body: Later, bench: Tools, reader: Asking) -> list[ListedTaskSet]:
+async def extend_course(course: str, body: Later, bench: Tools, reader: Asking) -> list[MovedTaskSet]:
     """Move all open deadlines of a course; gives the sets that were moved."""
     return await _extended(bench, reader, list(await bench.sets.of(course)), body.minutes)
 
 
-async def _extended(bench: Bench, reader: Reader, sets: list[TaskSet], minutes: int) -> list[ListedTaskSet]:
+async def _extended(bench: Bench, reader: Reader, sets: list[TaskSet], minutes: int) -> list[MovedTaskSet]:
     moved = await building.extend(bench, sets, minutes, datetime.now(UTC), actor_of(reader))
-    return [listed_set(one) for one in moved]
+    return [MovedTaskSet(**listed_set(one).model_dump(), solved_for=solved) for one, solved in moved]
 
 
 @router.post("/task-sets/{task_set}/copy", status_code=201, responses=HERE)
@@ -231,8 +232,9 @@ async def more_time(bench: Bench, reader: Reader, task_set: TaskSet, person: str
     """
     if await bench.courses.role(here(reader).course.id, person) != "student":
         raise Refused(404, "unknown_member")
-    again = await handing.reopens(bench, task_set, person, given.minutes, datetime.now(UTC))
-    told: dict[str, Detail] = {"reopened": True} if again else {}
+    again = await reopening.reopens(bench, task_set, person, given.minutes, datetime.now(UTC))
+    solved = await reopening.solved_for(bench, task_set, datetime.now(UTC)) if given.minutes else 0
+    told: dict[str, Detail] = ({"reopened": True} if again else {}) | ({"solved_for": solved} if solved else {})
     entry = acts.entry(reader, Action.TIME_GIVEN, person, set=task_set.id, minutes=given.minutes, **told)
     await bench.sets.accommodate(task_set.id, person, given.minutes, given.reason, entry)
     return again

@@ -16,6 +16,7 @@ from exercises import catalogue
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
 from server.sets.foresight import Scarce, refuse_unfit, scarce
+from server.sets.reopening import solved_for
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
 from server.storage.courses import Course
@@ -212,23 +213,35 @@ async def remove(bench: Bench, task_set: TaskSet, actor: str) -> None:
 
 async def extend(
     bench: Bench, sets: Sequence[TaskSet], minutes: int, now: datetime, actor: str, seen: str | None = None
-) -> list[TaskSet]:
+) -> list[tuple[TaskSet, int]]:
     """Move the deadlines of published sets of which one is still ahead, and the end of time limits that run.
 
-    Gives the sets that moved.
+    Gives the sets that moved, each with the number of students to whom its solutions stood open.
 
     Raises:
         Refused: 409, the deadlines are not those that were `seen`, or were moved at the same moment.
     """
     if seen is not None and seen != deadlines(sets):
         raise Refused(409, "deadlines_moved")
-    moves = [(one, _moved(one, minutes, now)) for one in sets if one.state == PUBLISHED and _ahead(one, now)]
-    told = {"minutes": minutes}
+    moves = [(one, _moved(one, minutes, now)) for one in movable(sets, now)]
+    solved = [await solved_for(bench, one, now) for one, _ in moves]
     try:
-        await bench.sets.move(moves, [Entry(actor, Action.DEADLINES_MOVED, o.id, o.course, told) for o, _ in moves])
+        await bench.sets.move(
+            moves, [_entry(actor, one, minutes, n) for (one, _), n in zip(moves, solved, strict=True)]
+        )
     except DeadlinesMoved:
         raise Refused(409, "deadlines_moved") from None
-    return [new for _, new in moves]
+    return [(new, number) for (_, new), number in zip(moves, solved, strict=True)]
+
+
+def _entry(actor: str, moved: TaskSet, minutes: int, solved: int) -> Entry:
+    told = {"minutes": minutes} | ({"solved_for": solved} if solved else {})
+    return Entry(actor, Action.DEADLINES_MOVED, moved.id, moved.course, told)
+
+
+def movable(sets: Sequence[TaskSet], now: datetime) -> list[TaskSet]:
+    """Keep the published sets of which a deadline is still ahead."""
+    return [one for one in sets if one.state == PUBLISHED and _ahead(one, now)]
 
 
 def deadlines(sets: Sequence[TaskSet]) -> str:

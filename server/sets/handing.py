@@ -57,19 +57,6 @@ def shown_after(task_set: TaskSet, own: Window, most: int) -> Window:
     return own if longest.closes is None else longest
 
 
-def told_results(task_set: TaskSet, own: Window, most: int, now: datetime) -> bool:
-    """Tell whether results and solutions of an examination have been shown to a student."""
-    return rules_of(task_set).mode == "exam" and shown_after(task_set, own, most).stage(now) is Stage.CLOSED
-
-
-async def reopens(bench: Bench, task_set: TaskSet, person: str, minutes: int, now: datetime) -> bool:
-    """Tell whether extra time lets a student work again on an examination whose results have been shown."""
-    begun, extra = await bench.sets.begun(task_set.id, person), await bench.sets.extra(task_set.id, person)
-    own, most = window_of(task_set, extra, begun), await bench.sets.most_extra(task_set.id)
-    again = window_of(task_set, minutes, begun).stage(now) is not Stage.CLOSED
-    return again and told_results(task_set, own, most, now)
-
-
 def refuse_unless_open(found: Window, now: datetime) -> None:
     """Refuse work before the set opens and after it has closed for this student.
 

@@ -26,6 +26,7 @@ from server.sets.building import Draft
 from server.sets.clash import clash
 from server.sets.form import draft_of_form, joined, problem, shelves, typed, written
 from server.sets.previewing import preview
+from server.sets.reopening import solved_for
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
 from server.storage.sets import DRAFT, PUBLISHING, TaskSet
@@ -177,15 +178,16 @@ async def extend_set(task_set: str, request: Request, bench: Tools, reader: Aski
 async def extend_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Move all open deadlines of a course and tell how many were moved."""
     moved = await _extended(request, bench, reader, await bench.sets.of(course))
-    return RedirectResponse(f"/courses/{course}?moved={len(moved)}", 303)
+    return RedirectResponse(f"/courses/{course}?moved={moved}", 303)
 
 
-async def _extended(request: Request, bench: Bench, reader: Reader, sets: Sequence[TaskSet]) -> list[TaskSet]:
-    """Move deadlines as a form wishes, from those that it was made for: a second click moves nothing."""
+async def _extended(request: Request, bench: Bench, reader: Reader, sets: Sequence[TaskSet]) -> int:
+    """Move deadlines as a form wishes, from those that it was made for: a second click moves nothing. Tells how many
+    sets were moved."""
     values = (await forms.read(request)).values
     minutes = _whole(values.get("minutes", ""), "minutes", 1, 100_000)
     seen = values.get("seen", "")
-    return await building.extend(bench, sets, minutes, datetime.now(UTC), actor_of(reader), seen)
+    return len(await building.extend(bench, sets, minutes, datetime.now(UTC), actor_of(reader), seen))
 
 
 @router.post("/courses/{course}/copy")
@@ -252,6 +254,8 @@ async def _builder(
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "seen_deadlines": building.deadlines([found]),
+        "movable": bool(building.movable([found], datetime.now(UTC))),
+        "solved_for": await solved_for(bench, found, datetime.now(UTC)),
         "job": job,
         "cards": (sum(one.reached for one in dealt), sum(one.parts for one in dealt)),
         "students": len(await bench.sets.students(found.course)),

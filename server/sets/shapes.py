@@ -148,6 +148,12 @@ class ListedTaskSet(BaseModel):
     closes: datetime | None
 
 
+class MovedTaskSet(ListedTaskSet):
+    """A set whose deadlines were moved; `solved_for` tells to how many students its solutions stood open already."""
+
+    solved_for: int
+
+
 class GivenTime(BaseModel):
     """The minutes more that a student has."""
 
@@ -157,8 +163,8 @@ class GivenTime(BaseModel):
 
 
 class NewTime(GivenTime):
-    """The minutes more that were given; `reopened` where that opened an examination again whose results the student may
-    have seen."""
+    """The minutes more that were given; `reopened` where that opened a set again whose results or solutions the student
+    may have seen."""
 
     reopened: bool
 

@@ -289,6 +289,10 @@ class Sets(Protocol):
         """List the submissions to a set in the order received, of all students or one."""
         ...
 
+    async def used_up(self, number: str) -> Sequence[str]:
+        """List the students who have used up the attempts of some task of a set."""
+        ...
+
     async def reserved(self, exercise: str, now: datetime) -> bool:
         """Tell whether a published set that is not over deals an exercise."""
         ...

@@ -244,7 +244,7 @@ def test_extra_time_reaches_work_under_way(course: Course) -> None:
     course.move(number, minutes=5)
     path = f"/api/v1/task-sets/{number}/accommodations"
     given = course.lecturer.put(f"{path}/{person}", json={"minutes": 30, "reason": "dyslexia"})
-    assert given.json() == course.lecturer.get(path).json()[0] | {"reopened": False}
+    assert given.json() == course.lecturer.get(path).json()[0] | {"reopened": True}
     assert course.hand_in(variant, {"l3": "1 m"}).status_code == 201
     lecturer = course.school.people["lecturer"]
     assert code_of(course.lecturer.put(f"{path}/{lecturer}", json={"minutes": 30})) == (404, "unknown_member")

@@ -30,6 +30,11 @@ def give_time(course: Course, number: str, minutes: int, who: str = "student") -
     assert course.lecturer.put(path, json={"minutes": minutes}).status_code == 200
 
 
+def logged(course: Course, detail: str) -> int:
+    """Tell how often something stands in the audit log of the course."""
+    return course.lecturer.get(f"/courses/{course.school.course}/audit?lang=en").text.count(detail)
+
+
 def shows_nothing(course: Course, number: str, variant: str, receipt: str) -> bool:
     """Whether neither results nor the solution of another student's work are shown to that student."""
     shown = course.other.get(f"/api/v1/submissions/{receipt}").json()
@@ -238,6 +243,7 @@ def test_extra_time_that_opens_an_examination_again_warns_and_is_written_down(co
     course.variant(number)
     page, api = f"/sets/{number}/students/{person}", f"/api/v1/task-sets/{number}/accommodations/{person}"
     warning, told = "have been shown. Extra time can open it again", "The examination is open again for this student"
+    before = logged(course, "opened after its results were shown: yes")
     assert warning not in course.lecturer.get(f"{page}?lang=en").text
     assert course.lecturer.put(api, json={"minutes": 5}).json()["reopened"] is False  # nothing has been shown yet
     course.move(number, minutes=10)
@@ -245,16 +251,66 @@ def test_extra_time_that_opens_an_examination_again_warns_and_is_written_down(co
     assert course.lecturer.put(api, json={"minutes": 6}).json()["reopened"] is False  # it stays closed
     assert course.lecturer.put(api, json={"minutes": 60}).json()["reopened"] is True
     assert course.lecturer.put(api, json={"minutes": 61}).json()["reopened"] is False  # it is open already
-    log = f"/courses/{course.school.course}/audit?lang=en"
-    assert course.lecturer.get(log).text.count("opened after its results were shown: yes") == 1
+    assert logged(course, "opened after its results were shown: yes") == before + 1
     course.lecturer.put(api, json={"minutes": 0})
     given = course.lecturer.post(f"{page}/time?lang=en", data={"minutes": "60", "reason": ""})
     assert told in course.lecturer.get(f"{given.headers['location']}&lang=en").text
     assert told not in course.lecturer.get(f"{page}?lang=en").text
 
 
-def test_extra_time_in_practice_warns_of_nothing(course: Course) -> None:
+def test_extra_time_that_opens_a_practice_set_again_tells_to_how_many_its_solutions_stood_open(course: Course) -> None:
     number, person = course.published(), course.school.people["student"]
+    course.variant(number), course.variant(number, course.other)
+    page, api = f"/sets/{number}/students/{person}", f"/api/v1/task-sets/{number}/accommodations/{person}"
+    warning, told = "stand open already (students: 2)", "The set is open again for this student"
+    assert "stand open already" not in course.lecturer.get(f"{page}?lang=en").text
     course.move(number, minutes=10)
-    api = f"/api/v1/task-sets/{number}/accommodations/{person}"
+    assert warning in course.lecturer.get(f"{page}?lang=en").text
+    assert course.lecturer.put(api, json={"minutes": 60}).json()["reopened"] is True
+    assert logged(course, "students to whom solutions stood open: 2") == 1
+    course.lecturer.put(api, json={"minutes": 0})
+    given = course.lecturer.post(f"{page}/time?lang=en", data={"minutes": "60", "reason": ""})
+    assert told in course.lecturer.get(f"{given.headers['location']}&lang=en").text
+
+
+def test_extra_time_in_practice_warns_of_nothing_where_no_solution_opens(course: Course) -> None:
+    number, person = course.published(rules={"solutions": "never"}), course.school.people["student"]
+    course.variant(number)
+    course.move(number, minutes=10)
+    page, api = f"/sets/{number}/students/{person}", f"/api/v1/task-sets/{number}/accommodations/{person}"
+    assert "stand open already" not in course.lecturer.get(f"{page}?lang=en").text
     assert course.lecturer.put(api, json={"minutes": 60}).json()["reopened"] is False
+
+
+def test_who_moves_deadlines_is_told_first_to_how_many_solutions_stand_open(course: Course) -> None:
+    number = course.published(title="Homework 9", rules={"solutions": "after_last_attempt"})
+    told = "The worked solutions of this set stand open already (students: 1)"
+    pages = [f"/sets/{number}?lang=en", f"/courses/{course.school.course}?lang=en"]
+    variant = course.variant(number)
+    course.variant(number, course.other)
+    course.hand_in(variant, {"l3": "1 m"})
+    shown = [course.lecturer.get(page).text for page in pages]
+    assert told not in shown[0] and f"Homework 9: {told}" not in shown[1]  # an attempt is left
+    course.hand_in(variant, {"l3": "2 m"})
+    assert course.student.get(f"/api/v1/variants/{variant}/solution").status_code == 200
+    shown = [course.lecturer.get(page).text for page in pages]
+    assert told in shown[0] and f"Homework 9: {told}" in shown[1]
+    (moved,) = course.lecturer.post(f"/api/v1/task-sets/{number}/extend", json={"minutes": 15}).json()
+    assert moved["solved_for"] == 1
+    assert logged(course, "students to whom solutions stood open: 1") == 1
+
+
+def test_solutions_of_a_set_without_dates_are_counted_by_the_time_of_each_student(course: Course) -> None:
+    number, person = course.published(due=None, rules={"minutes": 30}), course.school.people["student"]
+    over, running = course.variant(number, course.other), course.variant(number)
+    begun(course, over, minutes=31)
+    page = f"/sets/{number}/students/{person}?lang=en"
+    assert running and "stand open already (students: 1)" in course.lecturer.get(page).text
+
+
+def test_a_closed_set_says_that_its_deadlines_do_not_move(course: Course) -> None:
+    number = course.published()
+    assert "This set has closed" not in course.lecturer.get(f"/sets/{number}?lang=en").text
+    course.move(number, minutes=1)
+    shown = course.lecturer.get(f"/sets/{number}?lang=en").text
+    assert "This set has closed" in shown and f"/sets/{number}/extend" not in shown
