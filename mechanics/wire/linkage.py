@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, get_args
 
-from mechanics import (
+from mechanics.linkages import (
     four_bar,
-    geneva,
-    hooke_joint,
     inverted_slider,
     manipulator,
     six_bar,
@@ -16,7 +14,8 @@ from mechanics import (
     two_loop,
     variable_length_link,
 )
-from mechanics.linkage import LinkageMotion
+from mechanics.linkages.linkage import LinkageMotion
+from mechanics.transmissions import geneva, hooke_joint
 from mechanics.wire import class_iii
 from mechanics.wire.fields import Choice, Kind, ListOf, Number, Record, Tagged, Text, Whole
 from mechanics.wire.place import Place

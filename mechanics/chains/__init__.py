@@ -1,0 +1,1 @@
+"""Serial chains: frames and tables, motion, drives, rod functional groups, accuracy."""

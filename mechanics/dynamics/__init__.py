@@ -1,0 +1,1 @@
+"""Forces in moving machines: kinetostatics, reduction, balancing, vibration."""

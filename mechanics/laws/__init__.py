@@ -1,0 +1,1 @@
+"""How drives move, and how what they move follows."""

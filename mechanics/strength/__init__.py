@@ -1,0 +1,1 @@
+"""Strength of materials: stress and strain, bars, beams, shafts, sections."""

@@ -1,0 +1,1 @@
+"""Gears, screws, joints and Geneva drives."""

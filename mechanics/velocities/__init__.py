@@ -1,0 +1,1 @@
+"""Velocities and accelerations of points of one link, and the plans that are drawn of them."""
