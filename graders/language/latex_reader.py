@@ -412,9 +412,12 @@ class _Reader:
             self.at = start
             return
         self.at += 2
-        power = POWER_OF_TEN.fullmatch(self.sheet.captured(self.superscript).text)
-        if power is None:
-            self.at = start
+        ten = self.latex[start : self.at].replace("~", " ")
+        mark = self.sheet.captured(self.superscript)
+        power = POWER_OF_TEN.fullmatch(mark.text)
+        if power is None:  # what was read is written: to read it again doubles the work at each level
+            self.sheet.copy(ten, start)
+            self.sheet.put(mark)
             return
         while self.sheet.out[-1] in "* ":
             self.sheet.out.pop()

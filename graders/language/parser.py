@@ -151,7 +151,7 @@ class _Parser:
         """Tell `F<x - a>^1` from the relation `F < x`: only behind a bracket a power, a sign or nothing follows."""
         if self.closed is None:
             self.closed = partners(self.tokens)
-        after = self.closed.get(self.at)
+        after = self.closed.get(self.at - len(self.tokens))
         return after is not None and self.tokens[after + 1].kind in BEHIND
 
     def refuse_doubt(self, tree: Tree, divided: Tree | None, token: Token) -> None:

@@ -192,10 +192,13 @@ def after_name(text: str) -> int:
 
 
 def partners(tokens: list[Token]) -> dict[int, int]:
-    """Pair each `<` with the `>` that would close it, brackets between them balanced."""
+    """Pair each `<` with the `>` that would close it, brackets between them balanced; both are counted from the end.
+
+    What is put in the place of a token in front of them, as the names of a run, does not shift them.
+    """
     opened: list[int] = []
     found: dict[int, int] = {}
-    for at, token in enumerate(tokens):
+    for at, token in enumerate(tokens, -len(tokens)):
         if token.kind in ("(", "[", "<"):
             opened.append(at)
         elif token.kind == ">" and opened and tokens[opened[-1]].kind == "<":

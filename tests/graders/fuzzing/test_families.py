@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import lru_cache, partial
 from itertools import product
 
@@ -20,6 +21,12 @@ KNOWN = ("slider_crank", "rrr_matrices", "gear_train", "simple_beam", "stepped_s
 MOST_CALLS = 200_000  # of a text of 2,000 to 4,000 characters at a judge
 EVERY = list(families())
 TOGETHER = 3
+NESTED = [
+    "(…)", "|…|", "<…>^1", "[…]", "[[…]]", "√(…)", "sin(…)", "log_2(…)", "max(1; …)", "2^(…)", "1/(…)", "2(…)", "-…",
+    r"1\times10^{…}", r"\frac{…}{2}", r"\frac{2}{…}", r"\sqrt{…}", r"\sqrt[…]{2}", r"\left(…\right)", r"\left|…\right|",
+    r"\left\langle…\right\rangle^{2}", r"\left\langle 2\right\rangle^{…}", r"\sin^{2}\left(…\right)", r"\mathrm{…}",
+    r"\dot{…}", "a_{…}", "2^{…}", r"\begin{bmatrix}…\end{bmatrix}", r"\left[…\right]",
+]  # fmt: skip
 DECLARED = Symbols(["a", "l1", "x", "omega1", "F"])
 
 
@@ -44,6 +51,27 @@ def test_no_run_of_letters_is_searched_letter_by_letter(thing: str) -> None:
 
     forget()
     assert calls(refuse) < 2_000
+
+
+@pytest.mark.parametrize("outer", NESTED)
+def test_what_stands_within_the_same_is_read_once(outer: str) -> None:
+    costs = list[int]()
+    for levels in (6, 12, 18):
+        forget()
+        costs.append(calls(partial(read_or_refuse, nested(outer, levels))))
+    assert costs[2] - costs[1] < 2 * (costs[1] - costs[0]) + 500, costs
+
+
+def nested(outer: str, levels: int) -> str:
+    text = "x"
+    for _ in range(levels):
+        text = outer.replace("…", text)
+    return text
+
+
+def read_or_refuse(text: str) -> None:
+    with suppress(AnswerSyntaxError):
+        parse(text, DECLARED)
 
 
 @pytest.mark.parametrize("mark", ["<", "=", " <= ", ">"])

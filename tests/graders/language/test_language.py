@@ -264,6 +264,18 @@ def test_a_macaulay_bracket_behind_a_factor_needs_no_power_in_a_sum(typed: str, 
 
 
 @pytest.mark.parametrize(
+    ("typed", "plain"),
+    [
+        ("F1<x-a1>^1 + q1l1<x-b1>^1", "F1 <x - a1>^1 + q1 l1 <x - b1>^1"),
+        ("R1<x> - F1l1<x-a1>^2 - q1l1<x-b1>^3", "R1 <x>^1 - F1 l1 <x - a1>^2 - q1 l1 <x - b1>^3"),
+        (r"F_1\langle x-a_1\rangle^1 + EI\langle x-b_1\rangle^2", "F1 <x - a1>^1 + E I <x - b1>^2"),
+    ],
+)
+def test_a_run_of_names_stands_in_front_of_a_macaulay_bracket_in_any_term(typed: str, plain: str) -> None:
+    assert text_of(parse(typed, Symbols(["F1", "R1", "q1", "l1", "x", "a1", "b1", "E", "I"]))) == plain
+
+
+@pytest.mark.parametrize(
     "typed",
     ["+".join("1" * 201), "*".join("x" * 201), " ".join("x" * 201), "-".join(["x*a"] * 190)],
 )
