@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import undollared
+from graders.language.latex_source import undollared
 from graders.language.symbols import Symbols, function_named, key
 from graders.language.tokens import LETTER
 

@@ -14,7 +14,8 @@ from graders.common_slips import NONE, Slips
 from graders.judge import Echo, Samples
 from graders.kinds.rational import Rational
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, through
+from graders.language.latex_reader import through
+from graders.language.latex_source import is_latex
 from graders.language.symbols import Symbols
 from graders.verdict import RIGHT, Code, Verdict, wrong
 

@@ -16,7 +16,7 @@ from graders.judge import Matrix as Rows
 from graders.language import doubles
 from graders.language.bare_grids import bracketed
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex
+from graders.language.latex_source import is_latex
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols

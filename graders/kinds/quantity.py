@@ -16,7 +16,8 @@ from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language import doubles
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import MAX_LATEX, is_latex, through
+from graders.language.latex_reader import MAX_LATEX, through
+from graders.language.latex_source import is_latex
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse_tokens
 from graders.language.piece import Piece

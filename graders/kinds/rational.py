@@ -10,7 +10,8 @@ from typing import Any, ClassVar
 from graders.common_slips import NONE, CommonSlip, Slips, off_by
 from graders.judge import Echo, Samples
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, through
+from graders.language.latex_reader import through
+from graders.language.latex_source import is_latex
 from graders.language.mathml import mathml_of
 from graders.language.parser import parse
 from graders.language.symbols import Symbols

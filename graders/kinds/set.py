@@ -14,7 +14,8 @@ from graders.common_slips import CommonSlip, Slips
 from graders.judge import Echo, Samples
 from graders.judge import Matrix as Rows
 from graders.kinds.quantity import Quantity
-from graders.language.latex_reader import is_latex, through
+from graders.language.latex_reader import through
+from graders.language.latex_source import is_latex
 from graders.language.piece import Piece
 from graders.language.symbols import Symbols
 from graders.tuples import read_items

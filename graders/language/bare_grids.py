@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from graders.language.latex_reader import undollared
+from graders.language.latex_source import undollared
 
 GAPS = (";", "\t", "|", "&", ", ", " ")  # between the entries of a row, the surest first
 LONGEST = 2000

@@ -14,39 +14,19 @@ from typing import TypeVar
 from graders.language.commands import ACCENTS, ENVIRONMENTS, FENCES, LETTERS, SIGNS, SPACES, UPRIGHT, WORDS
 from graders.language.errors import AnswerSyntaxError, Reason
 from graders.language.latex_sheet import Rewritten, Sheet
+from graders.language.latex_source import Source, undollared
 
 MAX_LATEX = 4000
 MAX_WRITTEN = 2000  # characters of the answer language: no more is read
-MAX_DEPTH = 60
-COMMAND = re.compile(r"\\(?:[A-Za-z]+\*?|.)", re.DOTALL)
 WORD = re.compile(r"[^\W\d_][^\W_]*")
 MARKS = re.compile(r"[0-9 +\-*/=(),.]+")  # that mean themselves
 INDICES = re.compile(r"(\d{1,2})[,;](\d{1,2})")
 ENVIRONMENT = re.compile(r"\{([A-Za-z]{1,12})\}")
-DOLLARS = re.compile(r"\s*\${1,2}[^$]+\${1,2}\s*")
 COLUMNS = re.compile(r"\{[lcr| ]{0,40}\}")
 POWER_OF_TEN = re.compile(r"\^(?:\((-?\d{1,4})\)|(\d) )")
 LITERAL = re.compile(r"(?:^|[^\w./,^ ]) {0,9}\d[\d.,]{0,60}$")
 RIGHT = ("right", "mright", "bigr", "Bigr")
 Read = TypeVar("Read")
-
-
-def is_latex(text: str) -> bool:
-    """Tell whether a text was written by a formula editor: a command, or braces behind `^`, `_` or around a comma."""
-    return "\\" in text or ("{" in text and any(mark in text for mark in ("^{", "_{", "{,}")))
-
-
-def undollared(text: str) -> str:
-    """Blank out the dollar signs around a whole text, one or two, with which LaTeX is copied; places stay."""
-    copied = DOLLARS.fullmatch(text)
-    return text.replace("$", " ") if copied else text
-
-
-def upright(latex: str, place: int) -> bool:
-    """Tell whether letters stand upright: `\\mathrm{EI}` is one name, `EI` the product that an editor writes so."""
-    before = latex[max(0, place - 24) : place].rstrip()
-    commands = [f"\\{command}{{" for command in UPRIGHT]
-    return before.endswith(tuple(commands)) or latex.startswith(tuple(commands), place)
 
 
 def through(latex: str, read: Callable[[str], Read]) -> Read:
@@ -78,40 +58,8 @@ def rewritten(latex: str) -> Rewritten:
 
 
 @dataclass(slots=True)
-class _Reader:
-    latex: str
-    at: int = 0
-    depth: int = 0
+class _Reader(Source):
     sheet: Sheet = field(default_factory=Sheet)
-
-    def error(self, reason: Reason, found: str = "", place: int | None = None) -> AnswerSyntaxError:
-        place = self.at if place is None else place
-        return AnswerSyntaxError(reason, place, found or self.latex[place : place + 1])
-
-    def next(self) -> str:
-        return self.latex[self.at : self.at + 1]
-
-    def skip_spaces(self) -> None:
-        while self.next() and self.next() in " ~\n\t\r":
-            self.at += 1
-
-    def command(self) -> str:
-        """Read a command and step over it: its name without the backslash."""
-        found = COMMAND.match(self.latex, self.at)
-        if found is None:
-            raise self.error(Reason.BAD_CHARACTER)
-        self.at = found.end()
-        return found.group()[1:]
-
-    def ahead(self) -> str:
-        """Look at the command that comes next; empty if none does."""
-        found = COMMAND.match(self.latex, self.at)
-        return found.group()[1:] if found else ""
-
-    def deeper(self) -> None:
-        self.depth += 1
-        if self.depth > MAX_DEPTH:
-            raise self.error(Reason.TOO_DEEP)
 
     def sequence(self, *ends: str) -> None:
         """Read up to the end, a closing brace, or one of some commands or marks."""

@@ -6,16 +6,14 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from graders.language import plain
+from graders.language.cursor import Cursor
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, upright
-from graders.language.proposals import INSTEAD, figure_behind, nearest_name, product
-from graders.language.symbols import DEGREES, FUNCTIONS, LOOK_ALIKES, SUPERSCRIPTS, Symbols, function_named, key, latin
-from graders.language.tokens import CLOSING, Token, exponent_of, partners, tokenize
+from graders.language.latex_source import is_latex, upright
+from graders.language.proposals import figure_behind, not_known
+from graders.language.symbols import DEGREES, FUNCTIONS, SUPERSCRIPTS, Symbols, function_named, key, latin
+from graders.language.tokens import Token, exponent_of, partners, tokenize
 from graders.language.tree import Angle, Binary, Call, Grid, Index, Name, Number, Relation, Tree, Unary, order_exists
 
-MAX_DEPTH = 60  # brackets, signs and powers within one another
-MAX_NODES = 1500
-MAX_HEIGHT = 200  # terms and factors beside and within one another: what walks a tree goes as deep
 MAX_MATRIX = 16
 MAX_SIDES = 24  # of a chain of relations
 ONE: Tree = Number("1")
@@ -46,40 +44,19 @@ def parse_line(text: str) -> Tree:
     return _Parser(tokenize(text), None).whole()
 
 
-class _Parser:
+class _Parser(Cursor):
     """One pass over the tokens; `at` is the next of them. LaTeX, if any, tells what its letters mean (0019)."""
 
     def __init__(self, tokens: list[Token], symbols: Symbols | None, latex: str = "") -> None:
-        self.tokens, self.symbols, self.latex = tokens, symbols, latex
-        self.at = self.depth = self.nodes = self.bars = self.height = 0
+        super().__init__(tokens)
+        self.symbols, self.latex, self.bars = symbols, latex, 0
         self.closed: dict[int, int] | None = None
-
-    @property
-    def token(self) -> Token:
-        return self.tokens[self.at]
 
     def whole(self) -> Tree:
         tree = self.relation()
         if self.token.kind != "end":
             raise self.error(Reason.EXTRA_BRACKET if self.token.kind in (")", "]") else Reason.EXTRA_TEXT)
         return tree
-
-    def error(self, reason: Reason, token: Token | None = None, meant: str = "") -> AnswerSyntaxError:
-        return AnswerSyntaxError(reason, (token or self.token).position, (token or self.token).text, meant)
-
-    def accept(self, kind: str) -> bool:
-        found = self.token.kind == kind
-        self.at += found
-        return found
-
-    def close(self, opened: Token) -> None:
-        kind = CLOSING[opened.kind]
-        if self.accept(kind):
-            return
-        if self.token.kind == "end":
-            raise AnswerSyntaxError(Reason.NEEDS_BRACKET, self.token.position, kind)
-        other = self.token.kind in CLOSING.values() and self.token.kind != "|"
-        raise self.error(Reason.EXTRA_BRACKET if other else Reason.EXTRA_TEXT, None, kind if other else "")
 
     def relation(self) -> Tree:
         sides, operators, said = [self.sum()], [], set[str]()
@@ -93,22 +70,6 @@ class _Parser:
             self.at += 1
             sides.append(self.sum())
         return Relation(tuple(operators), tuple(sides)) if operators else sides[0]
-
-    def enter(self, token: Token) -> None:
-        self.depth += 1
-        if self.depth > MAX_DEPTH:
-            raise self.error(Reason.TOO_DEEP, token)
-
-    def count(self, tree: Tree) -> Tree:
-        self.nodes += 1
-        if self.nodes > MAX_NODES:
-            raise self.error(Reason.TOO_LONG)
-        return tree
-
-    def longer(self) -> None:
-        self.height += 1
-        if self.height > MAX_HEIGHT:
-            raise self.error(Reason.TOO_LONG)
 
     def sum(self) -> Tree:
         tree, below = self.product(), self.height
@@ -343,7 +304,8 @@ class _Parser:
         if not parts and self.symbols and self.latex and not upright(self.latex, token.position):
             parts = self.symbols.run(token.text)
         if not parts:
-            raise self.unknown(token)
+            assert self.symbols is not None
+            raise not_known(token, self.tokens[self.at :], self.symbols)
         places = [token.position + len("".join(parts[:i])) for i in range(len(parts))]
         cut = [Token("name", part, place) for part, place in zip(parts, places, strict=True)]
         self.tokens[self.at - 1 : self.at] = cut
@@ -353,20 +315,6 @@ class _Parser:
         if self.symbols is None:
             return None if function_named(spelling) or spelling == "pi" else spelling
         return self.symbols.find(spelling)
-
-    def unknown(self, token: Token) -> AnswerSyntaxError:
-        assert self.symbols is not None
-        pieces = self.symbols.split(token.text.rstrip("'"))
-        if pieces:
-            return self.error(Reason.UNKNOWN_NAME, token, product(pieces, self.tokens[self.at :]))
-        if token.text == "e" and self.token.kind == "^":
-            return self.error(Reason.UNKNOWN_NAME, token, "exp()")
-        if token.text in INSTEAD:
-            return self.error(Reason.UNKNOWN_NAME, token, INSTEAD[token.text])
-        for place, char in enumerate(token.text):
-            if char in LOOK_ALIKES and any(c.isascii() and c.isalpha() for c in token.text):
-                return AnswerSyntaxError(Reason.LOOK_ALIKE, token.position + place, char, LOOK_ALIKES[char])
-        return self.error(Reason.UNKNOWN_NAME, token, nearest_name(token.text, self.symbols))
 
     def call(self, function: str, token: Token, *last: Tree) -> Tree:
         power = self.function_power(token)

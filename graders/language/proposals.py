@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.symbols import ALIASES, FUNCTIONS, Symbols, function_named, key
+from graders.language.symbols import ALIASES, FUNCTIONS, LOOK_ALIKES, Symbols, function_named, key
 from graders.language.tokens import Token
 
 INSTEAD = {
@@ -17,6 +17,22 @@ SOUNDS = {"eps": "epsilon", "w": "omega", "W": "omega", "al": "alpha", "th": "th
 LONGEST = 24  # letters of a name for which a neighbour is looked for
 MOST = 400  # names looked at
 BITS = 61  # of a set of letters: two letters may share one, then a spelling is looked at in vain
+
+
+def not_known(token: Token, following: Sequence[Token], symbols: Symbols) -> AnswerSyntaxError:
+    """Refuse a name, and propose what may be meant: a product, another spelling, a letter of another alphabet."""
+    name = token.text
+    pieces = symbols.split(name.rstrip("'"))
+    if pieces:
+        return AnswerSyntaxError(Reason.UNKNOWN_NAME, token.position, name, product(pieces, following))
+    if name == "e" and following[0].kind == "^":
+        return AnswerSyntaxError(Reason.UNKNOWN_NAME, token.position, name, "exp()")
+    if name in INSTEAD:
+        return AnswerSyntaxError(Reason.UNKNOWN_NAME, token.position, name, INSTEAD[name])
+    for place, char in enumerate(name):
+        if char in LOOK_ALIKES and any(c.isascii() and c.isalpha() for c in name):
+            return AnswerSyntaxError(Reason.LOOK_ALIKE, token.position + place, char, LOOK_ALIKES[char])
+    return AnswerSyntaxError(Reason.UNKNOWN_NAME, token.position, name, nearest_name(name, symbols))
 
 
 def product(pieces: Sequence[str], following: Sequence[Token]) -> str:

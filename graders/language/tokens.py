@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graders.language.errors import AnswerSyntaxError, Reason
-from graders.language.latex_reader import is_latex, kept, rewritten
+from graders.language.latex_reader import kept, rewritten
+from graders.language.latex_source import is_latex
 from graders.language.symbols import LOOK_ALIKES, SUPERSCRIPTS
 
 MAX_LENGTH = 2000

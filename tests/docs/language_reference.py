@@ -7,7 +7,7 @@ from pathlib import Path
 
 from graders import KINDS, Quantity, Symbols, units
 from graders.kinds import rational, text
-from graders.language import latex_reader, parse, parser, tokens
+from graders.language import cursor, latex_reader, parse, parser, tokens
 from graders.language.commands import ACCENTS, ENVIRONMENTS, LETTERS, SIGNS, UPRIGHT, WORDS
 from graders.language.errors import Reason
 from graders.language.symbols import ALIASES, FUNCTIONS, GREEK, LOOK_ALIKES, SUPERSCRIPTS
@@ -213,9 +213,9 @@ def _bounds() -> Iterator[str]:
         ("digits of a number", str(tokens.MAX_DIGITS)),
         ("power of ten of a number", str(tokens.MAX_EXPONENT)),
         ("size of an amount, in the unit typed and in SI", "10^99"),
-        ("brackets, signs and powers within one another", str(parser.MAX_DEPTH)),
-        ("terms and factors beside and within one another", str(parser.MAX_HEIGHT)),
-        ("numbers, names and operations", str(parser.MAX_NODES)),
+        ("brackets, signs and powers within one another", str(cursor.MAX_DEPTH)),
+        ("terms and factors beside and within one another", str(cursor.MAX_HEIGHT)),
+        ("numbers, names and operations", str(cursor.MAX_NODES)),
         ("rows and columns of a matrix", str(parser.MAX_MATRIX)),
     )
 

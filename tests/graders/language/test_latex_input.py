@@ -7,7 +7,8 @@ import pytest
 from graders import Code, Integer, Quantity
 from graders.language import AnswerSyntaxError, Reason, Symbols, parse
 from graders.language.latex import latex_of
-from graders.language.latex_reader import MAX_LATEX, is_latex, rewritten
+from graders.language.latex_reader import MAX_LATEX, rewritten
+from graders.language.latex_source import is_latex
 from graders.language.text import text_of
 
 DECLARED = Symbols(
