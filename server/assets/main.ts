@@ -17,7 +17,7 @@ import { sketch } from "./ts/sketch.ts";
 import { hideStaleVerdicts } from "./ts/stale.ts";
 import { guardSubmit } from "./ts/submit.ts";
 import { showSymbols } from "./ts/symbols.ts";
-import { tellTimeLeft } from "./ts/time_left.ts";
+import { tellStage, tellTimeLeft } from "./ts/time_left.ts";
 import { keepInStep } from "./ts/twin.ts";
 import { offerVisual } from "./ts/visual.ts";
 
@@ -39,6 +39,7 @@ document.querySelectorAll<HTMLElement>("[data-visual]").forEach(offerVisual);
 document.querySelectorAll<HTMLElement>('.keys[hidden]').forEach(showSymbols);
 document.querySelectorAll<HTMLElement>("[data-countdown]").forEach(countDown);
 document.querySelectorAll<HTMLElement>("[data-left]").forEach(tellTimeLeft);
+document.querySelectorAll<HTMLElement>("[data-late-in], [data-closed-in]").forEach(tellStage);
 document.querySelectorAll<HTMLElement>("[data-progress]").forEach(followProgress);
 document.querySelectorAll<HTMLElement>('[data-job^="/"]').forEach(followJob);
 document.querySelectorAll<HTMLFormElement>("form[data-person]").forEach(keepPerson);

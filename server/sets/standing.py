@@ -139,5 +139,12 @@ async def on_page(bench: Bench, variant: str, language: str, now: datetime) -> d
         "spoilt": last is not None and faulty(last),
         "remaining": clock.left(own.window.due, now),
         "seconds": clock.seconds_left(own.window.due, now),
+        "ahead": _ahead(own.window, now),
         **zones.told(language, clock.zone(course.time_zone)),
     }
+
+
+def _ahead(own: Window, now: datetime) -> dict[str, int]:
+    """Give in how many seconds work is late, and in how many it is not taken any more, where that is still to come."""
+    moments = {Stage.LATE.value: own.due, Stage.CLOSED.value: own.closes}
+    return {stage: clock.seconds_left(moment, now) for stage, moment in moments.items() if moment and moment > now}

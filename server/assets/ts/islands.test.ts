@@ -21,7 +21,7 @@ import {
 } from "./sketch_model.ts";
 import { inWords } from "./spoken.ts";
 import { keystroke, nextKey } from "./symbols.ts";
-import { inTime, passes } from "./time_left.ts";
+import { inTime, passes, stageAfter } from "./time_left.ts";
 import { entriesOf } from "./twin.ts";
 import { latexOf } from "./visual.ts";
 
@@ -312,4 +312,11 @@ test("an announcement is said phrase by phrase, the longest first, and no part o
   assert.equal(inWords(" 'L' sub 1 over  'L'; End of mathfield", phrases), " 'L' z indeksem 1 przez  'L'; koniec wzoru");
   assert.equal(inWords("subset overline", phrases), "subset overline");
   assert.equal(inWords("over", {}), "over");
+});
+
+test("a task goes on from open to past due and to closed", () => {
+  const ahead = { late: "late", lateIn: "60", closed: "closed", closedIn: "90" };
+  assert.deepEqual([0, 60, 61, 91].map((seconds) => stageAfter(seconds, ahead)), [undefined, undefined, "late", "closed"]);
+  assert.equal(stageAfter(1e6, { late: "late", lateIn: "60" }), "late");
+  assert.equal(stageAfter(61, { late: "late", lateIn: "60", closed: "closed", closedIn: "60" }), "closed");
 });

@@ -1,4 +1,5 @@
-/* The time left until a task is due, kept up to date; it is spoken at an hour, ten minutes, one minute and at the end. */
+/* The time left until a task is due, kept up to date; it is spoken at an hour, ten minutes, one minute and at the end.
+   Beside it what the task is by now: open, past due, closed. */
 
 const SPOKEN = [3600, 600, 60, 0]; // seconds left
 const DAY = 24 * 60; // minutes
@@ -20,10 +21,23 @@ export function passes(before: number, after: number): boolean {
   return SPOKEN.some((moment) => before > moment && after <= moment);
 }
 
-/** Says beside the task what it is once the time is up; what is typed stays, and the server has the last word. */
-function tellStage(): void {
-  const stage = document.querySelector<HTMLElement>("[data-stage-after]");
-  if (stage !== null) stage.textContent = stage.dataset["stageAfter"] ?? "";
+export type Ahead = Readonly<Partial<Record<"late" | "lateIn" | "closed" | "closedIn", string>>>;
+
+/** What a task is some seconds after the page was made: closed, past due, or what the page says. */
+export function stageAfter(seconds: number, ahead: Ahead): string | undefined {
+  if (ahead.closedIn !== undefined && seconds > Number(ahead.closedIn)) return ahead.closed;
+  return ahead.lateIn !== undefined && seconds > Number(ahead.lateIn) ? ahead.late : undefined;
+}
+
+/** Keeps what a task is up to date; what is typed stays, and the server has the last word. */
+export function tellStage(line: HTMLElement): void {
+  const made = Date.now();
+  const timer = window.setInterval(() => {
+    const seconds = (Date.now() - made) / 1000;
+    const stage = stageAfter(seconds, line.dataset);
+    if (stage !== undefined && line.textContent !== stage) line.textContent = stage;
+    if (stage !== undefined && stage === line.dataset["closed"]) clearInterval(timer);
+  }, 1000);
 }
 
 /** Keeps a line with `data-left`, the seconds left when the page was made, and the live region behind it. */
@@ -38,8 +52,6 @@ export function tellTimeLeft(line: HTMLElement): void {
     line.classList.toggle("soon", now < DAY * 60);
     if (passes(before, now) && line.nextElementSibling !== null) line.nextElementSibling.textContent = text;
     before = now;
-    if (now > 0) return;
-    clearInterval(timer);
-    tellStage();
+    if (now <= 0) clearInterval(timer);
   }, 1000);
 }

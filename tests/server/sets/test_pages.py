@@ -423,13 +423,25 @@ def test_a_lecturer_finds_no_button_to_hand_in_a_laboratory_of_a_student(course:
 
 
 @pytest.mark.parametrize(
-    ("rules", "after"),
-    [({}, "closed"), ({"late": "accepted"}, "past due, still taken"), ({"mode": "exam"}, "closed")],
+    ("rules", "bounds", "ahead"),
+    [
+        ({}, {}, {"late": 3600, "closed": 3600}),
+        ({"late": "accepted"}, {}, {"late": 3600}),
+        ({"late": "accepted"}, {"closes": 2}, {"late": 3600, "closed": 7200}),
+        ({"late": "reduced"}, {"due": -1, "closes": 2}, {"closed": 7200}),
+    ],
 )
-def test_a_page_knows_what_its_task_is_once_the_time_is_up(course: Course, rules: dict[str, str], after: str) -> None:
-    variant = course.variant(course.published(rules=rules))
+def test_a_page_knows_what_its_task_becomes_and_when(
+    course: Course, rules: dict[str, str], bounds: dict[str, int], ahead: dict[str, int]
+) -> None:
+    words = {"late": "past due, still taken", "closed": "closed"}
+    variant = course.variant(course.published(rules=rules, **{one: moment(hours=bounds[one]) for one in bounds}))
     page = course.student.get(f"/variants/{variant}?lang=en").text
-    assert f'<small data-stage-after="{after}">open</small>' in page
+    found = dict(re.findall(r'data-(late|closed)-in="(\d+)"', page))
+    assert list(found) == list(ahead)
+    for stage, seconds in ahead.items():
+        assert seconds - 120 < int(found[stage]) <= seconds
+        assert f'data-{stage}="{words[stage]}"' in page
 
 
 @pytest.mark.parametrize("mode", ["practice", "exam"])
