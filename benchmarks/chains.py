@@ -17,11 +17,11 @@ from random import Random
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from mechanics.chains import chain, lagrange, link_frames, newton_euler, rod_groups, transform
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Row
-from mechanics.chains.links import LinkMass
+from mechanics import chain, lagrange, link_frames, newton_euler, rod_groups, transform
+from mechanics.chain import Chain
+from mechanics.dh import Row
 from mechanics.errors import AssemblyError, SingularError
+from mechanics.links import LinkMass
 from mechanics.vectors import Vector
 
 GRAVITY: Vector = (0.0, 0.0, -9.81)

@@ -11,15 +11,13 @@ from collections.abc import Callable, Iterator
 from math import pi
 from random import Random
 
-from mechanics.linkages import four_bar, planar, six_bar, slider_crank, two_loop
-from mechanics.linkages.cycle import follow
-from mechanics.linkages.newton_linkages import four_bar_joints
+from mechanics import four_bar, planar, six_bar, slider_crank, two_loop
+from mechanics.cycle import follow
+from mechanics.newton_linkages import four_bar_joints
+from tests.mechanics import hostile, hostile_linkages, judged_machines
 from tests.mechanics.examples.reading import EXAMPLES, inputs, unlike
 from tests.mechanics.examples.test_examples import SOLVED
-from tests.mechanics.linkages import hostile_linkages
-from tests.mechanics.linkages.hostile_linkages import Side, back, residual, slid, turned
-from tests.mechanics.strength import hostile
-from tests.mechanics.structure import judged_machines
+from tests.mechanics.hostile_linkages import Side, back, residual, slid, turned
 
 BARS = (0.1, 0.26, 0.22, 0.3)  # the crank turns fully
 RATES = (12.0, -8.0)  # of the crank

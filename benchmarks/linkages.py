@@ -15,7 +15,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # else benchmarks/http.p
 import argparse
 import time
 
-from tests.mechanics.linkages.hostile_linkages import KINDS, attack
+from tests.mechanics.hostile_linkages import KINDS, attack
 
 LIMIT = 1e-9
 

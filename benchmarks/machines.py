@@ -16,7 +16,7 @@ import time
 from collections import Counter
 from random import Random
 
-from tests.mechanics.structure import judged_machines
+from tests.mechanics import judged_machines
 
 
 def main() -> int:

@@ -30,8 +30,7 @@ CHAPTERS = sorted(
     path.stem for path in (ROOT / "benchmarks/solvers").glob("*.py") if path.stem not in ("__init__", "row")
 )
 ROUNDS, ROUND, LONGEST = 15, 0.01, 4.0  # rounds, seconds a round, seconds after which no further round starts
-FILES = [path for path in (ROOT / "mechanics").rglob("*.py") if path.stem != "__init__" and path.parent.name != "wire"]
-MODULES = sorted(".".join(path.relative_to(ROOT).with_suffix("").parts) for path in FILES)
+MODULES = sorted(path.stem for path in (ROOT / "mechanics").glob("*.py") if path.stem != "__init__")
 IMPORT = "import time; t = time.process_time(); {}; print(time.process_time() - t); import sys; print(*sys.modules)"
 
 
@@ -82,7 +81,7 @@ def measured(row: Row) -> Iterator[str]:
 
 def import_time() -> str:
     """Time the import of the whole room in a fresh Python, and name what heavy came with it."""
-    code = IMPORT.format("; ".join(f"import {module}" for module in MODULES))
+    code = IMPORT.format("; ".join(f"import mechanics.{module}" for module in MODULES))
     times, loaded = [], ""
     for _ in range(ROUNDS):
         done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)

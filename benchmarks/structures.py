@@ -16,7 +16,7 @@ import argparse
 import time
 from random import Random
 
-from tests.mechanics.strength.hostile import KINDS, attack, exact_error, random_beam
+from tests.mechanics.hostile import KINDS, attack, exact_error, random_beam
 
 LIMIT = 1e-9
 

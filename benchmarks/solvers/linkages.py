@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from benchmarks.solvers.row import Row, Task
-from mechanics.linkages import four_bar, inverted_slider, manipulator, planar, six_bar, slider_crank
-from mechanics.linkages.class_iii import Unit, assemblies
-from mechanics.linkages.newton_linkages import four_bar_joints, four_bar_motion
-from mechanics.velocities import velocity_plan
+from mechanics import four_bar, inverted_slider, manipulator, planar, six_bar, slider_crank, velocity_plan
+from mechanics.class_iii import Unit, assemblies
+from mechanics.newton_linkages import four_bar_joints, four_bar_motion
 
 BARS = (0.1, 0.26, 0.22, 0.3)
 DRIVE = (1.0, 12.0, -8.0)  # angle, angular velocity, angular acceleration of the crank

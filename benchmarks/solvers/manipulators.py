@@ -6,11 +6,10 @@ from math import pi
 from typing import Any
 
 from benchmarks.solvers.row import Row, Task
-from mechanics.chains import accuracy, chain, link_frames, newton_euler, rod_groups
-from mechanics.chains import dh as tables
-from mechanics.chains.links import LinkMass
-from mechanics.dynamics import kinetostatics, reduction
-from mechanics.laws.motion_law import drive_law
+from mechanics import accuracy, chain, kinetostatics, link_frames, newton_euler, reduction, rod_groups
+from mechanics import dh as tables
+from mechanics.links import LinkMass
+from mechanics.motion_law import drive_law
 
 SIX = tuple(tables.Row("R", 0.1 * i, 0.1 * i, 0.2 + 0.05 * i, 0.1 - pi / 2 * (i % 2)) for i in range(6))
 ARM, Q = chain.Chain(SIX), (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from benchmarks.solvers.row import Row, Task
-from mechanics.strength import bar, bar_fan, beam, shaft
-from mechanics.strength.bar import AxialForce, Bar, BarSegment
-from mechanics.strength.beam import Beam, Distributed, Force, Moment, Support
-from mechanics.strength.composed import i_section
-from mechanics.strength.section import Rectangle
-from mechanics.strength.shaft import Segment, Shaft, Torque
-from mechanics.strength.stress import StressState
+from mechanics import bar, bar_fan, beam, shaft
+from mechanics.bar import AxialForce, Bar, BarSegment
+from mechanics.beam import Beam, Distributed, Force, Moment, Support
+from mechanics.composed import i_section
+from mechanics.section import Rectangle
+from mechanics.shaft import Segment, Shaft, Torque
+from mechanics.stress import StressState
 from mechanics.wire import solvers
 
 L, E, I = 4.0, 2.1e11, 5.76e-6

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from benchmarks.solvers.row import Row
-from mechanics.dynamics import balancing, vibration
-from mechanics.structure.assur import decompose
-from mechanics.structure.counts import Pair
-from mechanics.structure.mobility import Joint, plane
-from mechanics.transmissions import gear_train, geneva, hooke_joint, willis
-from mechanics.transmissions.gear_train import Mesh, Train
-from mechanics.transmissions.willis import Stage
+from mechanics import balancing, gear_train, geneva, hooke_joint, vibration, willis
+from mechanics.assur import decompose
+from mechanics.gear_train import Mesh, Train
+from mechanics.mobility import Joint, plane
+from mechanics.structure import Pair
+from mechanics.willis import Stage
 
 STAGES = [Stage(20, 25), Stage(25, 70, "internal")]
 TRAIN = Train(

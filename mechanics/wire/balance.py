@@ -1,4 +1,4 @@
-"""`solve balance`: corrections of a rotor, counterweights of a four-bar (`mechanics.dynamics.balancing`)."""
+"""`solve balance`: corrections of a rotor, counterweights of a four-bar (`mechanics.balancing`)."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from mechanics.dynamics import balancing
-from mechanics.dynamics.balancing import FourBarLinks, Plane, PointMass
+from mechanics import balancing
+from mechanics.balancing import FourBarLinks, Plane, PointMass
 from mechanics.wire.fields import ListOf, Number, Record, Tagged
 
 LENGTHS = ("l1", "l2", "l3", "l4")

@@ -1,4 +1,4 @@
-"""`solve bar`: tension and compression of a stepped bar (`mechanics.strength.bar`)."""
+"""`solve bar`: tension and compression of a stepped bar (`mechanics.bar`)."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any, get_args
 
-from mechanics.strength.bar import AxialForce, Bar, BarSegment, BarSupport
-from mechanics.strength.bar import solve as solve_bar
+from mechanics.bar import AxialForce, Bar, BarSegment, BarSupport
+from mechanics.bar import solve as solve_bar
 from mechanics.wire.fields import Choice, ListOf, Number, Record
 from mechanics.wire.refusal import Refusal
 

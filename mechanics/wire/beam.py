@@ -1,13 +1,13 @@
-"""`solve beam`: bending of a straight beam (`mechanics.strength.beam`)."""
+"""`solve beam`: bending of a straight beam (`mechanics.beam`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.strength.beam import BeamResult
-from mechanics.strength.beam import solve as solve_beam
-from mechanics.strength.members import Beam, Distributed, Force, Load, Moment, Support
+from mechanics.beam import BeamResult
+from mechanics.beam import solve as solve_beam
+from mechanics.members import Beam, Distributed, Force, Load, Moment, Support
 from mechanics.wire.fields import Choice, ListOf, Number, Record, Tagged
 from mechanics.wire.refusal import Refusal
 from mechanics.wire.section import SECTION, section

@@ -1,4 +1,4 @@
-"""`solve chain`: motion of a serial chain (`chains.chain`); with masses, its drives (`chains.newton_euler`)."""
+"""`solve chain`: motion of a serial chain (`mechanics.chain`); with masses, its drives (`mechanics.newton_euler`)."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import asdict, dataclass
 from math import pi
 from typing import Any, get_args
 
-from mechanics.chains import chain, newton_euler
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Convention, JointType, Row
-from mechanics.chains.links import LinkMass, check_inertia
+from mechanics import chain, newton_euler
+from mechanics.chain import Chain
+from mechanics.dh import Convention, JointType, Row
+from mechanics.links import LinkMass, check_inertia
 from mechanics.wire.fields import NEEDED, Choice, ListOf, Number, Record
 from mechanics.wire.refusal import Refusal
 

@@ -1,11 +1,11 @@
-"""`solve chain_inverse`: all branches of the inverse task of the six rod functional groups (`chains.rod_groups`)."""
+"""`solve chain_inverse`: all branches of the inverse task of the six rod functional groups (`mechanics.rod_groups`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.chains import rod_groups
+from mechanics import rod_groups
 from mechanics.wire.chain import FARTHEST
 from mechanics.wire.fields import ListOf, Number, Record, Tagged
 

@@ -1,11 +1,11 @@
-"""The class III unit on the wire (`mechanics.linkages.class_iii`): a kind of `solve linkage`."""
+"""The class III unit on the wire (`mechanics.class_iii`): a kind of `solve linkage`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.linkages.class_iii import BRANCHES, DEAD_NAME, Assembly, Unit, assemblies, assembly, constraint, newton
+from mechanics.class_iii import BRANCHES, DEAD_NAME, Assembly, Unit, assemblies, assembly, constraint, newton
 from mechanics.wire.fields import ListOf, Number, Record, Whole
 from mechanics.wire.place import Place
 from mechanics.wire.refusal import Refusal

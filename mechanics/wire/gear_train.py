@@ -1,19 +1,19 @@
-"""`solve gear_train`: angular velocities of a train, exactly (`mechanics.transmissions.gear_train`)."""
+"""`solve gear_train`: angular velocities of a train, exactly (`mechanics.gear_train`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any, get_args
 
-from mechanics.transmissions.bevel_differential import Differential
-from mechanics.transmissions.gear_pair import MeshType
-from mechanics.transmissions.gear_train import Mesh, Train
-from mechanics.transmissions.gear_train import solve as solve_train
-from mechanics.transmissions.rack import Rack
-from mechanics.transmissions.screw import Hand, Screw
-from mechanics.transmissions.worm import Worm
+from mechanics.bevel_differential import Differential
+from mechanics.gear_pair import MeshType
+from mechanics.gear_train import Mesh, Train
+from mechanics.gear_train import solve as solve_train
+from mechanics.rack import Rack
+from mechanics.screw import Hand, Screw
 from mechanics.wire.fields import Choice, ListOf, MapOf, Number, Record, Text, Whole
 from mechanics.wire.refusal import Refusal, below_foreign, shown
+from mechanics.worm import Worm
 
 LARGEST = 40  # members
 MOST_TEETH = 10_000

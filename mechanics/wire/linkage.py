@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any, get_args
 
-from mechanics.linkages import (
+from mechanics import (
     four_bar,
+    geneva,
+    hooke_joint,
     inverted_slider,
     manipulator,
     six_bar,
@@ -14,8 +16,7 @@ from mechanics.linkages import (
     two_loop,
     variable_length_link,
 )
-from mechanics.linkages.linkage import LinkageMotion
-from mechanics.transmissions import geneva, hooke_joint
+from mechanics.linkage import LinkageMotion
 from mechanics.wire import class_iii
 from mechanics.wire.fields import Choice, Kind, ListOf, Number, Record, Tagged, Text, Whole
 from mechanics.wire.place import Place

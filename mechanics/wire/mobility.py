@@ -1,12 +1,12 @@
-"""`solve mobility`: counts of a mechanism, and its true mobility where it is drawn (`mechanics.structure.mobility`)."""
+"""`solve mobility`: counts of a mechanism, and its true mobility where it is drawn (`mechanics.mobility`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.structure.counts import CLASSES, spatial_mobility
-from mechanics.structure.mobility import PLANAR, Joint, Mobility, plane, space
+from mechanics.mobility import PLANAR, Joint, Mobility, plane, space
+from mechanics.structure import CLASSES, spatial_mobility
 from mechanics.wire.fields import Choice, ListOf, Number, Record, Tagged, Text, Whole
 from mechanics.wire.refusal import Refusal
 

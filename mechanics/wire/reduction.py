@@ -1,4 +1,4 @@
-"""`solve reduction`: a slider-crank reduced to its crank, and its equation of motion (`dynamics.reduction`)."""
+"""`solve reduction`: a slider-crank reduced to its crank, and its equation of motion (`mechanics.reduction`)."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from math import radians
 from typing import Any, get_args
 
-from mechanics.dynamics.reduction import slider_crank_machine
-from mechanics.linkages.slider_crank import Branch
+from mechanics.reduction import slider_crank_machine
+from mechanics.slider_crank import Branch
 from mechanics.wire.fields import Choice, Number, Record
 
 REQUEST = Record(

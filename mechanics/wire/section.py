@@ -1,12 +1,12 @@
-"""Cross-sections on the wire (`mechanics.strength.section`, `mechanics.strength.composed`)."""
+"""Cross-sections on the wire (`mechanics.section`, `mechanics.composed`)."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from mechanics.strength.composed import Block, Composed, Disc, Part, box, i_section, t_section
-from mechanics.strength.section import Circle, Rectangle, Ring, Section
+from mechanics.composed import Block, Composed, Disc, Part, box, i_section, t_section
+from mechanics.section import Circle, Rectangle, Ring, Section
 from mechanics.wire.fields import Flag, Kind, ListOf, Number, Record, Tagged
 
 _WIDTH, _HEIGHT = Number("width", "m", above=0), Number("height", "m", above=0)

@@ -1,4 +1,4 @@
-"""`solve shaft`: torsion of a stepped round shaft (`mechanics.strength.shaft`)."""
+"""`solve shaft`: torsion of a stepped round shaft (`mechanics.shaft`)."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any, get_args
 
-from mechanics.strength.members import Segment, Shaft, ShaftSupport, Torque
-from mechanics.strength.shaft import solve as solve_shaft
+from mechanics.members import Segment, Shaft, ShaftSupport, Torque
+from mechanics.shaft import solve as solve_shaft
 from mechanics.wire.fields import Choice, ListOf, Number, Record
 
 REQUEST = Record(

@@ -1,12 +1,12 @@
-"""`solve vibration`: one mass under force or base excitation (`mechanics.dynamics.vibration`)."""
+"""`solve vibration`: one mass under force or base excitation (`mechanics.vibration`)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
 
-from mechanics.dynamics import vibration
-from mechanics.dynamics.vibration import Oscillator
+from mechanics import vibration
+from mechanics.vibration import Oscillator
 from mechanics.wire.fields import Number, Record
 from mechanics.wire.refusal import Refusal
 

@@ -50,9 +50,8 @@ def page() -> str:
 
 def modules() -> list[ModuleType]:
     """Give every module of the room itself; those on the wire have a page of their own."""
-    paths = sorted((ROOT / "mechanics").rglob("*.py"), key=lambda path: path.stem)
-    told = [path for path in paths if path.stem != "__init__" and path.parent.name != "wire"]
-    return [import_module(".".join(path.relative_to(ROOT).with_suffix("").parts)) for path in told]
+    names = sorted(path.stem for path in (ROOT / "mechanics").glob("*.py") if path.stem != "__init__")
+    return [import_module(f"mechanics.{name}") for name in names]
 
 
 def functions(module: ModuleType) -> list[Callable[..., object]]:
@@ -79,14 +78,14 @@ def members(module: ModuleType) -> dict[str, FunctionType]:
 def _index(grouped: dict[str, list[ModuleType]]) -> Iterator[str]:
     yield from ("| what | module |", "|---|---|")
     for found in grouped.values():
-        yield from (f"| {_cell(_first(module))} | [{_path(module)}](#{_name(module)}) |" for module in found)
+        yield from (f"| {_cell(_first(module))} | [{_name(module)}](#{_name(module)}) |" for module in found)
     yield ""
 
 
 def _section(title: str, found: list[ModuleType]) -> Iterator[str]:
     yield from (f"## {title}", "")
     for module in found:
-        yield from (f"### {_name(module)}", "", f"`{module.__name__}`: " + " ".join((module.__doc__ or "").split()), "")
+        yield from (f"### {_name(module)}", "", " ".join((module.__doc__ or "").split()), "")
         if rows := {one.__name__: one for one in functions(module)} | members(module):
             yield from ("| function | what | source |", "|---|---|---|")
             yield from (f"| `{name}` | {_cell(_what(one))} | {_cell(_source(one))} |" for name, one in rows.items())
@@ -100,10 +99,6 @@ def _chapter(module: ModuleType) -> str:
 
 
 def _name(module: ModuleType) -> str:
-    return module.__name__.rpartition(".")[2]
-
-
-def _path(module: ModuleType) -> str:
     return module.__name__.removeprefix("mechanics.")
 
 

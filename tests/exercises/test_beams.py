@@ -29,7 +29,7 @@ from exercises.strength._beam.profile import moment_rows, shear_rows, stretches
 from exercises.strength.beam_deflection.sag import deepest, extremes
 from graders import Code, Outcome
 from graders.remarks import Remarks, Slip
-from mechanics.strength import members
+from mechanics import members
 from tests.depth import amount
 
 SEEDS = range(amount(5, 16))

@@ -13,7 +13,7 @@ from exercises.transmissions.gear_train import EXERCISE, SHAPES, Givens
 from exercises.transmissions.gear_train.wheels import Coaxial, Coupled, Input, Mesh, Wheel, kinds
 from graders import Outcome
 from graders.words import LANGUAGES
-from mechanics.transmissions import willis
+from mechanics import willis
 
 
 def dealt(*wheels: Wheel) -> Variant:

@@ -14,8 +14,8 @@ from exercises.linkages.slider_crank_polygon.motion import true_states
 from graders import Code, Echo, Outcome
 from graders.verdict import Branches, Flaws
 from graders.words import LANGUAGES, message
-from mechanics.linkages import planar
-from mechanics.linkages.planar import Marker
+from mechanics import planar
+from mechanics.planar import Marker
 from tests.depth import amount
 
 POLYGON = "slider_crank_polygon"

@@ -16,7 +16,7 @@ from graders.kinds.dh_table import Entries, other_frames
 from graders.language import Symbols, parse
 from graders.language.text import text_of
 from graders.language.tree import Grid
-from mechanics.chains import transform
+from mechanics import transform
 from mechanics.vectors import Matrix
 from tests.depth import amount
 

@@ -12,7 +12,7 @@ from exercises.grading import grade
 from exercises.manipulators.rrr_inverse import EXERCISE, Givens
 from exercises.solving import Solved
 from graders import Code, Verdict
-from mechanics.chains import rod_groups
+from mechanics import rod_groups
 from tests.depth import amount
 
 GIVENS = Givens(0.45, 0.5, 0.4, 0.580072, 0.3968486, 0.9211312)  # DH-15 at q = (0.6, 0.9, 0.7)

@@ -25,7 +25,7 @@ from exercises.strength._beam.members import (
 from exercises.strength.simple_beam.diagram import extreme_place, extremes
 from exercises.strength.stepped_shaft.lines import inner_torques
 from exercises.strength.stepped_shaft.parts import Against, Along
-from mechanics.strength import members
+from mechanics import members
 from tests.depth import amount
 
 SEEDS = range(amount(4, 12))

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from mechanics.transmissions import gear_train, willis
-from mechanics.transmissions.gear_train import Mesh, Train
-from mechanics.transmissions.willis import Stage
+from mechanics import gear_train, willis
+from mechanics.gear_train import Mesh, Train
+from mechanics.willis import Stage
 
 TEETH = ((64, 38), (48, 24), (127, 32))
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from mechanics.strength.beam import Beam, BeamResult, Distributed, Force, Load, Moment, Support, solve
+from mechanics.beam import Beam, BeamResult, Distributed, Force, Load, Moment, Support, solve
 
 l, E, I = 3.0, 2.1e11, 8e-6  # m, Pa, m^4
 EI = E * I

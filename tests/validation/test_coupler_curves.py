@@ -16,10 +16,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from mechanics import four_bar
 from mechanics.errors import AssemblyError, SingularError
-from mechanics.linkages import four_bar
-from mechanics.linkages.four_bar import Mode
-from mechanics.linkages.linkage import LinkageMotion, principal
+from mechanics.four_bar import Mode
+from mechanics.linkage import LinkageMotion, principal
 from tests.depth import amount
 
 modes: st.SearchStrategy[Mode] = st.sampled_from(["C_left_of_BD", "C_right_of_BD"])

@@ -11,10 +11,10 @@ from math import degrees, pi, radians
 
 import pytest
 
-from mechanics.linkages import four_bar, newton_linkages, slider_crank
-from mechanics.linkages.four_bar import Mode
-from mechanics.linkages.linkage import principal
-from mechanics.linkages.slider_crank import Branch
+from mechanics import four_bar, newton_linkages, slider_crank
+from mechanics.four_bar import Mode
+from mechanics.linkage import principal
+from mechanics.slider_crank import Branch
 
 BARS = (0.04, 0.12, 0.08, 0.1)
 

@@ -14,7 +14,7 @@ from math import acos, asin, cos, sin, tan
 import numpy as np
 import pytest
 
-from mechanics.structure.mobility import Joint, space
+from mechanics.mobility import Joint, space
 
 CIRCLE = ("01", "12", "23", "30")
 

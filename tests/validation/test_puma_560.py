@@ -12,9 +12,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.chains import chain, transform
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Row
+from mechanics import chain, transform
+from mechanics.chain import Chain
+from mechanics.dh import Row
 from tests.depth import amount
 
 A2, A3, D3, D4 = 0.4318, 0.0203, 0.1244, 0.4318  # m

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import pytest
 
-from mechanics.strength.section import Rectangle
+from mechanics.section import Rectangle
 
 TABLE = [
     (1.0, 0.1406, 0.208),

@@ -11,13 +11,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics.chains import link_frames, newton_euler
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Row
-from mechanics.chains.links import LinkMass
+from mechanics import link_frames, newton_euler
+from mechanics.chain import Chain
+from mechanics.dh import Row
+from mechanics.links import LinkMass
 from mechanics.vectors import Vector
 from tests.depth import amount
-from tests.mechanics.chains.moving import diagonal
+from tests.mechanics.chains import diagonal
 
 POINT = diagonal(0, 0, 0)
 angles = st.tuples(st.floats(-4, 4), st.floats(-4, 4))

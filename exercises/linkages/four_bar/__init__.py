@@ -12,10 +12,10 @@ from math import cos, pi, radians, sin
 
 from exercises.exercise import Draw, Exercise, Mistake, Value, Values, given
 from graders import Quantity, Set
+from mechanics import four_bar
 from mechanics.errors import SingularError
-from mechanics.linkages import four_bar
-from mechanics.linkages.newton_linkages import four_bar_motion
-from mechanics.linkages.planar import Motion
+from mechanics.newton_linkages import four_bar_motion
+from mechanics.planar import Motion
 
 ANGLES = [a for a in range(20, 341, 5) if a % 90 not in (0, 45)]
 TRANSMISSION = 0.5  # least sine of the angle between coupler and rocker

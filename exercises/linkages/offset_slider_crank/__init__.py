@@ -44,7 +44,7 @@ def draw(rng: Draw) -> Givens:
 
 def oracle(givens: Givens) -> Values:
     """The same names by another way: three bodies by Newton's method, its ends of the stroke, the tightest pose."""
-    from mechanics.linkages import planar  # grading does without it
+    from mechanics import planar  # grading does without it
 
     g = givens
     motion = planar.slider_crank(g.l1, g.l2, g.alpha1, g.omega1, offset=g.h)
@@ -61,7 +61,7 @@ def oracle(givens: Givens) -> Values:
 
 def _end(g: Givens, angle: float) -> float:
     """Find where the slider turns round: its velocity is zero there, its acceleration is the slope of that."""
-    from mechanics.linkages import planar
+    from mechanics import planar
 
     for _ in range(STEPS):
         motion = planar.slider_crank(g.l1, g.l2, angle, 1.0, offset=g.h)

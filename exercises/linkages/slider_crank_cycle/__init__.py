@@ -13,7 +13,7 @@ from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given, op
 from exercises.linkages.slider_crank_cycle.cycle import ROWS, cycle, long_rod, steady_rod
 from graders import Quantity, Series
 from graders.cycle.table import Column
-from mechanics.linkages import planar
+from mechanics import planar
 
 COLUMNS = (
     Column("t", "s"),

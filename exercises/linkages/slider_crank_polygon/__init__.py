@@ -14,7 +14,7 @@ from exercises.linkages.slider_crank_polygon.motion import NODES, mechanism
 from figures.machine import Drive, Link, Machine, Pair, Plotted
 from graders import Polygon, Quantity, Rates, States
 from graders.polygon.mechanism import Mechanism
-from mechanics.linkages import planar, slider_crank
+from mechanics import planar, slider_crank
 
 ANGLES = [a for a in range(20, 341, 5) if a % 90 not in (0, 5, 45, 85)]  # far from where an answer vanishes
 SPANS = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.8, 1.0, 1.5)  # s

@@ -8,8 +8,8 @@ from functools import lru_cache
 from graders import States
 from graders.polygon.jets import Trio
 from graders.polygon.mechanism import Mechanism, State
-from mechanics.linkages import slider_crank
-from mechanics.linkages.linkage import LinkageMotion
+from mechanics import slider_crank
+from mechanics.linkage import LinkageMotion
 
 KEPT = 20  # of the drawn states those farthest from a dead position
 NODES = ("A", "B", "C")

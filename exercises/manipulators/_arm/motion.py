@@ -14,7 +14,7 @@ from figures.machine import Drive, Link, Machine, Pair, Plotted
 from graders import States
 from graders.polygon.jets import Trio
 from graders.polygon.mechanism import Mechanism, State
-from mechanics.linkages.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute, solve
+from mechanics.planar import Driver, Joint, Marker, Motion, Prismatic, Revolute, solve
 
 KEPT = 20  # states are enough to judge by
 SPAN = 2.0  # s of the motion that the laboratory shows

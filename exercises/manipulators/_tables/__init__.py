@@ -15,7 +15,7 @@ from graders.chain.frames import Frame, Vector, axis_z, carried, frame_of, origi
 from graders.chain.motion import Axis, Motion
 from graders.language import parse_line
 from graders.language.doubles import line_runner, run
-from mechanics.chains import chain, transform
+from mechanics import chain, transform
 
 Numbers = tuple[tuple[float, ...], ...]
 PAIR = """[[cos({t}); -sin({t})*cos({k}); sin({t})*sin({k}); {a}*cos({t})],

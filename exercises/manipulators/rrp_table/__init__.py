@@ -15,8 +15,8 @@ from exercises.givens import numbers
 from exercises.manipulators._tables import MODIFIED, PAIR, motion, pairs
 from graders import DHTable, Matrix, Quantity, States
 from graders.chain.motion import Motion
-from mechanics.chains import rod_groups, transform
-from mechanics.chains.dh import Row
+from mechanics import rod_groups, transform
+from mechanics.dh import Row
 from mechanics.vectors import Vector
 
 LENGTHS = range(300, 801, 20)  # mm

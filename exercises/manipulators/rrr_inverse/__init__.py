@@ -12,7 +12,7 @@ from math import cos, pi, radians, remainder
 
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given
 from graders import Integer, Quantity, Set
-from mechanics.chains import rod_groups
+from mechanics import rod_groups
 
 LENGTHS = range(200, 601, 20)  # mm
 TURNS = [a for a in range(-170, 180, 5) if 15 < a % 90 < 75]  # of the first joint, degrees

@@ -12,7 +12,7 @@ from math import pi, radians
 
 from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, given, option
 from graders import Expression, Matrix, Quantity
-from mechanics.chains import rod_groups, transform
+from mechanics import rod_groups, transform
 
 LENGTHS = range(200, 601, 20)  # mm
 TURNS = [a for a in range(-175, 180, 5) if 15 < a % 90 < 75 and a % 15]  # of the first joint, degrees

@@ -9,7 +9,7 @@ from exercises.strength._beam.members import Loaded, places
 from exercises.words import printed_number, with_unit
 from figures import beam
 from figures.picture import Picture, Table, Words
-from mechanics.strength import members
+from mechanics import members
 
 
 def drawn_beam(

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol, TypeAlias
 
 from exercises.exercise import Draw, given
-from mechanics.strength import members
-from mechanics.strength.section import Section
+from mechanics import members
+from mechanics.section import Section
 
 
 @dataclass(frozen=True, slots=True)

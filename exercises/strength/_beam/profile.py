@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from mechanics.strength import members
+from mechanics import members
 
 Jump: TypeAlias = tuple[float, float, float, float]  # place (m), jump of V (N), of M (N m), of dV/dx (N/m)
 Rows: TypeAlias = tuple[tuple[float, ...], ...]

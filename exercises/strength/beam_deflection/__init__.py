@@ -15,7 +15,7 @@ from exercises.strength.beam_deflection import slips
 from exercises.strength.beam_deflection.lines import bending, deflection
 from exercises.strength.beam_deflection.sag import deepest, extremes
 from graders import Function, Quantity
-from mechanics.strength import beam, frame
+from mechanics import beam, frame
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from exercises.strength._beam.members import Load, Support, places, structure
 from exercises.strength.beam_diagrams import slips
 from exercises.strength.beam_diagrams.curves import curves
 from graders import Diagram, Quantity
-from mechanics.strength import beam, frame
+from mechanics import beam, frame
 
 SUPPORTS = ("span", "overhangs", "overhangs", "wall A", "wall B")
 

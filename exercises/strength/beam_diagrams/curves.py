@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from exercises.exercise import Steps
 from exercises.strength._beam.members import ClampedLeft, ClampedRight, places
 from exercises.strength._beam.profile import Stretch, moment_rows, shear_rows, stretches
-from mechanics.strength import members
+from mechanics import members
 
 if TYPE_CHECKING:
     from exercises.strength.beam_diagrams import Givens

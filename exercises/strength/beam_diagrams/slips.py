@@ -10,7 +10,7 @@ from exercises.strength._beam import lines
 from exercises.strength._beam.members import OPPOSITE, ClampedLeft, ClampedRight, Load, Uniform, structure
 from exercises.strength._beam.profile import moment_rows, shear_rows
 from exercises.strength.beam_diagrams.curves import curves, supported, walled
-from mechanics.strength import members
+from mechanics import members
 
 if TYPE_CHECKING:
     from exercises.strength.beam_diagrams import Givens

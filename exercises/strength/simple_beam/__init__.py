@@ -15,8 +15,8 @@ from exercises.strength._beam.members import Load, Support, drawn_loads, places,
 from exercises.strength.simple_beam.diagram import extreme_place, extremes
 from exercises.strength.simple_beam.lines import elastic_line
 from graders import Expression, Quantity
-from mechanics.strength import beam, frame, members
-from mechanics.strength.section import Rectangle
+from mechanics import beam, frame, members
+from mechanics.section import Rectangle
 
 SECTIONS = [(b, h) for b in range(40, 161, 10) for h in range(b + 20, 3 * b, 10) if h != 2 * b]  # mm
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from exercises.strength._beam.members import places, structure
 from exercises.strength._beam.profile import jumps
-from mechanics.strength import members
+from mechanics import members
 
 if TYPE_CHECKING:
     from exercises.strength.simple_beam import Givens

@@ -14,8 +14,8 @@ from exercises.exercise import Answers, Draw, Exercise, Mistake, Steps, Values, 
 from exercises.strength.stepped_shaft import lines
 from exercises.strength.stepped_shaft.parts import Against, Along, Segment, Solid, Torque, Tube, structure
 from graders import Choice, Expression, Quantity
-from mechanics.strength import frame, shaft
-from mechanics.strength.torsion_frame import polar_moment
+from mechanics import frame, shaft
+from mechanics.torsion_frame import polar_moment
 
 SOLID = [(d, 0) for d in range(25, 96, 5)]  # mm
 TUBES = [(D, d) for D in range(50, 96, 5) for d in range(20, 46, 5) if 0.4 <= d / D <= 0.8]  # mm

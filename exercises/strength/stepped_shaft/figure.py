@@ -10,7 +10,7 @@ from exercises.strength.stepped_shaft.parts import structure
 from exercises.words import printed_number, with_unit
 from figures import shaft
 from figures.picture import Picture, Table, Words
-from mechanics.strength import members
+from mechanics import members
 
 if TYPE_CHECKING:
     from exercises.strength.stepped_shaft import Givens

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 from exercises.exercise import given
-from mechanics.strength import members
+from mechanics import members
 
 if TYPE_CHECKING:
     from exercises.strength.stepped_shaft import Givens

@@ -25,7 +25,7 @@ from exercises.structure.mobility.parts import (
 )
 from exercises.structure.mobility.slips import COUNTED, IN_FORMULAS
 from graders import Choice, Domain, Expression, Integer
-from mechanics.structure import mobility
+from mechanics import mobility
 
 DYADS: tuple[DyadType, ...] = ("rocker_down", "rocker_up", "slider_level", "slider_upright", "swing")
 PLACES: tuple[Place, ...] = ("joint", "link")

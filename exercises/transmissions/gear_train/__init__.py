@@ -21,7 +21,7 @@ from exercises.transmissions.gear_train.wheels import (
     kinds,
 )
 from graders import Choice, Expression, Integer, Quantity
-from mechanics.transmissions import gear_train, willis
+from mechanics import gear_train, willis
 
 RPM = pi / 30  # rad/s
 # e, i: in external or internal mesh with the wheel before; +: on its shaft; E, I: back on the first axis, teeth sought

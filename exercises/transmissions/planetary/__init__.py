@@ -12,7 +12,7 @@ from typing import Literal
 from exercises.exercise import Draw, Exercise, Mistake, Steps, Values, given, option
 from exercises.transmissions.planetary.wheels import Block, Outer, Planet, Ring, Sun, Wheel, inversion, stages
 from graders import Choice, Expression, Quantity, Rational
-from mechanics.transmissions import gear_train, willis
+from mechanics import gear_train, willis
 
 RPM = pi / 30  # rad/s
 PLANETS = 3

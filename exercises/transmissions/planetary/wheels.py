@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from exercises.exercise import given
-from mechanics.transmissions.willis import Stage
+from mechanics.willis import Stage
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ from math import cos, sin
 
 from graders.chain.frames import axis_z, frame_of, origin
 from graders.chain.motion import Axis, Motion
-from mechanics.chains import rod_groups
-from mechanics.chains.dh import Row
-from mechanics.chains.transform import chain_pose
+from mechanics import rod_groups
+from mechanics.dh import Row
+from mechanics.transform import chain_pose
 
 TABLES = {
     "RRP": "[[q1; L1; 0; pi/2]; [q2; 0; 0; pi/2]; [0; q3; 0; pi/2]]",

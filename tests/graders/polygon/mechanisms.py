@@ -7,7 +7,7 @@ from math import atan2, cos, hypot, sin
 
 from graders.polygon.jets import Trio, times
 from graders.polygon.mechanism import Mechanism, State
-from mechanics.linkages import four_bar, slider_crank
+from mechanics import four_bar, slider_crank
 
 ORIGIN: tuple[Trio, Trio] = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import hypot, radians
 
-from mechanics.chains import accuracy, rod_groups
-from mechanics.chains.chain import Chain
+from mechanics import accuracy, rod_groups
+from mechanics.chain import Chain
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 

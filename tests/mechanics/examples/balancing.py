@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import degrees, radians
 
-from mechanics.dynamics import balancing, vibration
-from mechanics.dynamics.balancing import FourBarLinks, Plane, PointMass, balance
+from mechanics import balancing, vibration
+from mechanics.balancing import FourBarLinks, Plane, PointMass, balance
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 GRAVITY = 9.81  # m/s^2

@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import radians
 
-from mechanics.chains import link_frames, newton_euler, rod_groups
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Row
-from mechanics.chains.links import Drives, LinkMass
-from mechanics.dynamics import inertia_force, kinetostatics, reactions, reduction
-from mechanics.dynamics.reduction import Coordinate, Reduced
-from mechanics.laws.transfer import Transfer, of_unit_motion
-from mechanics.linkages import slider_crank as mechanism
-from tests.mechanics.chains.moving import diagonal
+from mechanics import inertia_force, kinetostatics, link_frames, newton_euler, reactions, reduction, rod_groups
+from mechanics import slider_crank as mechanism
+from mechanics.chain import Chain
+from mechanics.dh import Row
+from mechanics.links import Drives, LinkMass
+from mechanics.reduction import Coordinate, Reduced
+from mechanics.transfer import Transfer, of_unit_motion
+from tests.mechanics.chains import diagonal
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from math import degrees, pi, radians
 from typing import Any
 
-from mechanics.linkages.class_iii import Unit, assemblies, constraint, critical, newton
+from mechanics.class_iii import Unit, assemblies, constraint, critical, newton
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve, inputs
 
 PIVOTS = ("A", "D", "G", "K")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import radians
 
-from mechanics.chains import chain, link_frames, rod_groups, transform
-from mechanics.chains.chain import Chain
-from mechanics.chains.dh import Row
-from mechanics.chains.transform import acceleration_matrix, moved_point, velocity_matrix
+from mechanics import chain, link_frames, rod_groups, transform
+from mechanics.chain import Chain
+from mechanics.dh import Row
+from mechanics.transform import acceleration_matrix, moved_point, velocity_matrix
 from mechanics.vectors import Matrix
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 

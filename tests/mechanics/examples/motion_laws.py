@@ -6,9 +6,8 @@ from math import degrees, radians
 
 import pytest
 
-from mechanics.laws import finite_differences, transfer
-from mechanics.laws.motion_law import constant_output, drive_law, fastest_extension
-from mechanics.linkages import slider_crank
+from mechanics import finite_differences, slider_crank, transfer
+from mechanics.motion_law import constant_output, drive_law, fastest_extension
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 CUBE = -0.1  # of t^3 in the sampled 0.9 + 0.6 t - 0.1 t^2 - 0.1 t^3: the central formula errs by CUBE tau^2

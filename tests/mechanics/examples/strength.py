@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from math import degrees, radians
 
-from mechanics.strength import bar, bar_fan, beam, bending, shaft, shearing
-from mechanics.strength.bar import AxialForce, Bar, BarSegment
-from mechanics.strength.beam import Beam, BeamResult, Distributed, Force, Moment, Support
-from mechanics.strength.internal_forces import PointLoad, internal_forces
-from mechanics.strength.section import Circle, Rectangle, Ring
-from mechanics.strength.shaft import Segment, Shaft, ShaftResult, Torque
-from mechanics.strength.strain import Material, strain_of
-from mechanics.strength.stress import PlaneStress, StressState
+from mechanics import bar, bar_fan, beam, bending, shaft, shearing
+from mechanics.bar import AxialForce, Bar, BarSegment
+from mechanics.beam import Beam, BeamResult, Distributed, Force, Moment, Support
+from mechanics.internal_forces import PointLoad, internal_forces
+from mechanics.section import Circle, Rectangle, Ring
+from mechanics.shaft import Segment, Shaft, ShaftResult, Torque
+from mechanics.strain import Material, strain_of
+from mechanics.stress import PlaneStress, StressState
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 

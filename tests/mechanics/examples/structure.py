@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from mechanics.structure.assur import decompose
-from mechanics.structure.counts import Pair, count_loops, manoeuvrability, planar_mobility, spatial_mobility
-from mechanics.structure.mobility import Joint, local_freedoms, plane, space
-from mechanics.structure.open_chain import Axis, spare_freedoms, tip_freedom
+from mechanics.assur import decompose
+from mechanics.mobility import Joint, local_freedoms, plane, space
+from mechanics.open_chain import Axis, spare_freedoms, tip_freedom
+from mechanics.structure import Pair, count_loops, manoeuvrability, planar_mobility, spatial_mobility
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 SIX_LINKS = ("01", "12", "23", "30", "34", "45", "50")  # a four-bar and a dyad, as in VP-5

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from math import degrees, radians
 
-from mechanics.transmissions import gear_train, geneva, hooke_joint, willis
-from mechanics.transmissions.gear_pair import GearPair, MeshType
-from mechanics.transmissions.gear_train import Mesh, Train
-from mechanics.transmissions.geneva import Geneva
-from mechanics.transmissions.rack import Rack
-from mechanics.transmissions.screw import Screw
-from mechanics.transmissions.willis import Stage
+from mechanics import gear_train, geneva, hooke_joint, willis
+from mechanics.gear_pair import GearPair, MeshType
+from mechanics.gear_train import Mesh, Train
+from mechanics.geneva import Geneva
+from mechanics.rack import Rack
+from mechanics.screw import Screw
+from mechanics.willis import Stage
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 

@@ -6,8 +6,15 @@ from collections.abc import Mapping
 from math import degrees, hypot, pi, radians
 from typing import Any
 
-from mechanics.linkages import four_bar, inverted_slider, manipulator, slider_crank, two_loop, variable_length_link
-from mechanics.linkages.linkage import LinkageMotion
+from mechanics import (
+    four_bar,
+    inverted_slider,
+    manipulator,
+    slider_crank,
+    two_loop,
+    variable_length_link,
+)
+from mechanics.linkage import LinkageMotion
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 Names = Mapping[str, str]

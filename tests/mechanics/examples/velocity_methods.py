@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import degrees, dist, hypot, radians
 
-from mechanics.velocities import acceleration, instant_centre, rotated_velocities, velocity, velocity_plan
-from mechanics.velocities.drawing import Point
+from mechanics import acceleration, instant_centre, rotated_velocities, velocity, velocity_plan
+from mechanics.drawing import Point
 from tests.mechanics.examples.reading import Inputs, Outputs, Solve
 
 

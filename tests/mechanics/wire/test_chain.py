@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from mechanics.chains import rod_groups
+from mechanics import rod_groups
 from mechanics.wire import solvers
-from tests.mechanics.chains.test_rod_groups import LENGTHS, PUBLISHED
 from tests.mechanics.examples.reading import EXAMPLES
+from tests.mechanics.test_rod_groups import LENGTHS, PUBLISHED
 from tests.mechanics.wire.test_solvers import answered
 
 LIFT = {"rows": [{"type": "P"}], "q": [0.5], "qd": [2.0], "qdd": [1.19]}

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from mechanics.transmissions import willis
-from mechanics.transmissions.willis import Stage
+from mechanics import willis
+from mechanics.willis import Stage
 from mechanics.wire import solvers
 from tests.mechanics.wire.test_solvers import answered
 

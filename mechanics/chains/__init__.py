@@ -1,1 +1,0 @@
-"""Serial chains: frames and tables, motion, drives, rod functional groups, accuracy."""

@@ -1,1 +1,0 @@
-"""Forces in moving machines: kinetostatics, reduction, balancing, vibration."""

@@ -1,1 +1,0 @@
-"""How drives move, and how what they move follows."""

@@ -1,1 +1,0 @@
-"""Planar linkages: each in closed form, and any of them by Newton; mechanisms of a higher class."""

@@ -1,1 +1,0 @@
-"""Strength of materials: stress and strain, bars, beams, shafts, sections."""

@@ -1,1 +1,0 @@
-"""Structure of mechanisms: pairs, loops, groups, and what is really free to move."""

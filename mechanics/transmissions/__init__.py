@@ -1,1 +1,0 @@
-"""Gears, screws, joints and Geneva drives."""
