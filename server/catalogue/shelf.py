@@ -53,10 +53,12 @@ class Wish:
     chapter: str = ""
     words: str = ""
     ways: frozenset[str] = frozenset()
+    by_time: bool = False  # the shortest first, not by chapter
 
     def found(self, cards: Iterable[Card]) -> list[Card]:
-        """Give the cards that are wished."""
-        return [one for one in self._answered(cards) if self.chapter in ("", one.chapter)]
+        """Give the cards that are wished, in the order that is wished."""
+        found = [one for one in self._answered(cards) if self.chapter in ("", one.chapter)]
+        return sorted(found, key=lambda one: one.exercise.minutes) if self.by_time else found
 
     def chapters(self, cards: Sequence[Card]) -> dict[str, int]:
         """Count the cards of each chapter that are wished but for it."""

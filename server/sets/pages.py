@@ -24,6 +24,7 @@ from server.sets import building, clock, publishing
 from server.sets.api import copied, listed, more_time, own_variant, printed, published, set_of, slot_of
 from server.sets.building import Draft
 from server.sets.clash import clash
+from server.sets.duration import needed
 from server.sets.form import draft_of_form, joined, problem, shelves, typed, written
 from server.sets.previewing import preview
 from server.sets.reopening import solved_for
@@ -74,6 +75,7 @@ async def show_set(
     own = await standing(bench, found, reader.person.id, now)
     titles = await bench.sets.titles(found.id, reader.person.id, reader.language)
     context = {"own": own, "share": await final(bench, own, reader.person.id, now), "titles": titles}
+    context["takes"] = needed(slot.pool for slot in found.slots)
     return page(request, reader.language, "set.html", context | _common(reader))
 
 
@@ -259,6 +261,7 @@ async def _builder(
         "job": job,
         "cards": (sum(one.reached for one in dealt), sum(one.parts for one in dealt)),
         "students": len(await bench.sets.students(found.course)),
+        "takes": needed(slot.pool for slot in found.slots),
         "slot": slot,
         "seed": seed,
         "last_seed": MAX_SEED,

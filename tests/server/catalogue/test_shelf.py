@@ -51,3 +51,19 @@ def test_a_chapter_and_a_way_say_how_many_there_are(client: TestClient) -> None:
     assert counts["strength"] == str(len(asked("diagram"))) and counts["manipulators"] == "0"
     ways = dict(re.findall(r'name="answer" value="(\w+)"[^>]*>[^<]*</label><span[^>]*>(\d+)<', page))
     assert ways["number"] == str(len(asked("number"))) and ways["diagram"] == counts["strength"]
+
+
+def test_the_shortest_exercises_come_first_where_that_is_wished(client: TestClient) -> None:
+    page = unescape(client.get("/?lang=en&chapter=strength&order=time").text)
+    listed = re.findall(r'<h3><a href="/exercises/(\w+)">', page)
+    minutes = [catalogue.load(one).exercise.minutes for one in listed]
+    assert minutes == sorted(minutes) and len(set(minutes)) > 1
+    assert set(listed) == {one for one in catalogue.ids() if catalogue.load(one).chapter == "strength"}
+    assert 'name="order" value="time"' in page  # a search keeps the order
+    assert 'href="/?lang=en&chapter=strength&order="' in page  # and the way back to the chapters' own
+
+
+def test_the_order_of_the_chapters_is_kept_where_nothing_else_is_wished(client: TestClient) -> None:
+    for query in ("", "&order=nonsense"):
+        page = client.get(f"/?lang=en{query}").text
+        assert re.findall(r'<h3><a href="/exercises/(\w+)">', page) == list(catalogue.ids())
