@@ -24,7 +24,7 @@ async def show_catalogue(
     chapter: Annotated[str, Query(max_length=40)] = "", q: Annotated[str, Query(max_length=80)] = "",
     answer: Annotated[frozenset[str], Query()] = frozenset(), order: Annotated[str, Query(max_length=40)] = "",
 ) -> HTMLResponse:  # fmt: skip
-    """Show all exercises, or those of a chapter, or those that say something or are answered in some way; by time: the shortest first."""
+    """Show all exercises or those of a chapter, that say something, are answered in some way; maybe shortest first."""
     cards = [await card(bench, name, reader.language) for name in catalogue.ids()]
     wish = Wish(chapter, q, answer, order == "time")
     counts = {"chapters": wish.chapters(cards), "ways": wish.answered_by(cards)}

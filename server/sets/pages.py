@@ -74,8 +74,8 @@ async def show_set(
     now = datetime.now(UTC)
     own = await standing(bench, found, reader.person.id, now)
     titles = await bench.sets.titles(found.id, reader.person.id, reader.language)
-    context = {"own": own, "share": await final(bench, own, reader.person.id, now), "titles": titles}
-    context["takes"] = needed(slot.pool for slot in found.slots)
+    share, takes = await final(bench, own, reader.person.id, now), needed(slot.pool for slot in found.slots)
+    context = {"own": own, "share": share, "titles": titles, "takes": takes}
     return page(request, reader.language, "set.html", context | _common(reader))
 
 
