@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, pi
 
 from flint import arb
 
@@ -17,6 +17,7 @@ from graders.language.tree import Angle, Binary, Call, Grid, Name, Number, Tree,
 THETA, D, A, ALPHA = range(4)
 STEPS = 24  # exact angles stand at steps of 15 degrees
 FINE, COARSE = 1e-4, 6e-3  # a rounded angle: pi/2 as 1.5708, as 1.57
+WHIRL = 20.0  # rad: beyond it nobody rounds an angle
 TURNING = BRANCHES | {"min", "max"}
 BITS, SURE = 256, 1e-30  # a value of 256 bits that is as wide hangs on rounding
 PI = Name("pi")
@@ -103,10 +104,8 @@ def rounded(slack: float) -> Callable[[Tree], Tree]:
 
 
 def _nearest(number: Number, slack: float) -> Tree:
-    if len(number.digits) > 30 or abs(number.exponent) > 9:
-        return number
-    value, part = float(number.exact), 2 * 3.141592653589793 / STEPS
-    steps = round(value / part) if abs(value) < 20 else 0
+    value, part = float(f"{number.digits}e{number.exponent}"), 2 * pi / STEPS
+    steps = round(value / part) if value < WHIRL else 0
     if not steps or abs(value - steps * part) > slack:
         return number
     return Binary("/", Binary("*", Number(str(steps)), PI), Number(str(STEPS // 2)))

@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from operator import add
 
 from graders.language.program import Program
-from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children, walk
+from graders.language.tree import Binary, Call, Name, Number, Relation, Tree, Unary, children, names, walk
 
-SAME_ZEROS = frozenset(("abs", "sqrt", "asin", "atan", "sinh", "tanh", "sign"))  # zero where the argument is
+TOTAL = frozenset(("abs", "atan", "sinh", "tanh", "sign"))  # zero where the argument is, with a value everywhere
+SAME_ZEROS = TOTAL | {"sqrt", "asin"}
 MOST_CLEARED = 4  # denominators that hold the unknown
 BENT = 3  # a degree that is neither first nor second
 
@@ -27,26 +28,39 @@ def residual(equation: Relation) -> Tree:
 
 
 def reduced(tree: Tree, unknowns: frozenset[str]) -> Tree:
-    """Give a tree with the same zeros where it is defined, without what only changes sign, size or multiplicity."""
-    match tree:
-        case Unary(operator="+" | "-" | "°", operand=operand):
-            return reduced(operand, unknowns)
-        case Call(function=function, arguments=(inside,)) if function in SAME_ZEROS:
-            return reduced(inside, unknowns)
-        case Call(function="root", arguments=(inside, degree)) if _positive(degree):
-            return reduced(inside, unknowns)
-        case Binary(operator="^", left=base, right=power) if _positive(power):
-            return reduced(base, unknowns)
+    """Give a tree with the same zeros where it is defined, without what only changes sign, size or multiplicity.
+
+    A root of what is free of the unknowns is left as it is: nothing else tells where it has no value.
+    """
+    bare = _bare(tree)
+    if bare is not tree and unknowns.isdisjoint(names(bare)):
+        return _bare(tree, roots=False)
+    match bare:
         case Binary(operator="*", left=left, right=right):
             if _plain(left, unknowns):
                 return reduced(right, unknowns)
             if _plain(right, unknowns):
                 return reduced(left, unknowns)
             return Binary("*", reduced(left, unknowns), reduced(right, unknowns))
-        case Binary(operator="/", left=left, right=right):
-            return reduced(left, unknowns) if _plain(right, unknowns) else tree
-        case _:
-            return tree
+        case Binary(operator="/", left=left, right=right) if _plain(right, unknowns):
+            return reduced(left, unknowns)
+    return bare
+
+
+def _bare(tree: Tree, roots: bool = True) -> Tree:
+    """Leave out signs, powers and functions around a tree that are zero where it is; roots and arcs if asked."""
+    while True:
+        match tree:
+            case Unary(operator="+" | "-" | "°", operand=inside):
+                tree = inside
+            case Call(function=function, arguments=(inside,)) if function in (SAME_ZEROS if roots else TOTAL):
+                tree = inside
+            case Call(function="root", arguments=(inside, degree)) if roots and _positive(degree):
+                tree = inside
+            case Binary(operator="^", left=inside, right=power) if _positive(power) and (roots or _whole(power)):
+                tree = inside
+            case _:
+                return tree
 
 
 def factors(tree: Tree) -> list[Tree]:
@@ -164,6 +178,10 @@ def _positive(tree: Tree) -> bool:
     if isinstance(tree, Binary) and tree.operator == "/":
         return _positive(tree.left) and _positive(tree.right)
     return isinstance(tree, Number) and not _zero(tree)
+
+
+def _whole(power: Tree) -> bool:
+    return isinstance(power, Number) and power.whole
 
 
 def _plain(tree: Tree, unknowns: frozenset[str]) -> bool:

@@ -1,7 +1,9 @@
 """What is told of a table of frames beside right and wrong: places of what cannot be read, what is kept and carried.
 
 Mutants of this judge that live on change nothing that can be seen: another agreement before the first table is tried,
-the second reading tried although the first agrees, and one line more where the place behind the last one is looked for.
+the second reading tried although the first agrees, and one line more where the place behind the last one is looked for;
+the bound of rounded angles a radian further, or a single step beyond it, which no such number is near; other samples
+that are as wrong or as unreadable.
 """
 
 from __future__ import annotations
@@ -92,3 +94,25 @@ def test_a_table_is_echoed_with_the_decimal_mark_of_the_reader() -> None:
     answer = JUDGE.parse("[[q1; 0.5; 0; 0]; [q2; 0; 0; 0]; [0; q3; 0; 0]]", SYMBOLS)
     assert "<mn>0.5</mn>" in JUDGE.echo(answer).mathml
     assert "<mn>0,5</mn>" in JUDGE.echo(answer, comma=True).mathml
+
+
+@pytest.mark.parametrize(
+    ("joints", "typed", "code"),
+    [
+        ("PRR", "[[-1.5708; q1; -L1; 0]; [3.1416 - q2; 0; L2; 0]; [q3; 0; 0; 0]]", Code.RIGHT),
+        ("PRR", "[[-(1.5708); q1; -L1; 0]; [-(q2 - 3.1416); 0; L2; 0]; [q3; 0; 0; 0]]", Code.RIGHT),
+        ("PRR", "[[-1.5708; q1; -L1; 0]; [+3.1416 + (-q2); 0; L2; 0]; [+q3; 0; 0; 0]]", Code.RIGHT),
+        ("PRR", "[[-1.57; q1; -L1; 0]; [-(q2 - 3.14); 0; L2; 0]; [q3; 0; 0; 0]]", Code.TABLE_ROUNDED),
+        ("PRR", "[[-90; q1; -L1; 0]; [-(q2 - 180); 0; L2; 0]; [q3; 0; 0; 0]]", Code.TABLE_DEGREES),
+        ("PRR", "[[-90; q1; -L1; 0]; [+(180 - q2); 0; L2; 0]; [q3; 0; 0; 0]]", Code.TABLE_DEGREES),
+        ("PRR", "[[-90°; q1; -L1; 0]; [180 - q2; 0; L2; 0]; [q3; 0; 0; 0]]", Code.TABLE_DEGREES),
+        ("RRP", "[[q1; L1; 0; 90°]; [q2; 0; 0; 90]; [0; q3; 0; 90]]", Code.TABLE_DEGREES),
+        ("RRP", "[[q1; L1; 0; 0.15708e1]; [q2; 0; 0; 15708e-4]; [0; q3; 0; 1.57079632679489661923132]]", Code.RIGHT),
+        ("RRP", "[[q1; L1; 0; 1e400]; [q2; 0; 0; pi/2]; [0; q3; 0; pi/2]]", Code.UNDEFINED),
+        ("RRP", "[[q1; L1; 0; 26.7035]; [q2; 0; 0; pi/2]; [0; q3; 0; pi/2]]", Code.WRONG),
+    ],
+)  # fmt: skip
+def test_angles_are_read_as_rounded_or_in_degrees_wherever_they_stand(joints: str, typed: str, code: Code) -> None:
+    truth, judge = motion(joints), DHTable(joints)
+    verdict = judge.check(judge.parse(typed, Symbols(truth.names)), truth)
+    assert verdict.code is code

@@ -22,6 +22,7 @@ from tests.graders.effort import effort
 from tests.graders.rewriting import SYMBOLS, drawn
 from tests.graders.solutions.boxes import RANGES, SCENE, relation
 
+MANY = "+".join(f"|x - {k / 10}|" for k in range(2, 17))  # more places to turn than are looked at
 EQUAL = [
     ("a2", "l1*sin(a1) + l2*sin(a2) = e", "e - l1*sin(a1) = l2*sin(a2)"),
     ("a2", "l1*sin(a1) + l2*sin(a2) = e", "2*e - 2*l1*sin(a1) - 2*l2*sin(a2) = 0"),
@@ -46,6 +47,10 @@ EQUAL = [
     ("y", "|y| = a", "y^2 = a^2"),
     ("y", "(y - a)*(y - b) = 0", "y^2 - (a + b)*y + a*b = 0"),
     ("y", "a = b", "2*a - 2*b = 0"),
+    ("y", "a = b", "-|a - b|^3 = 0"),
+    ("y", "(y - a)*sqrt(b) = 0", "(y - a)^(1/3) = 0"),
+    ("y", "x^2 + y^2 + 1 = 0", "2*x^2 + 2*y^2 + 2 = 0"),
+    ("y", "y - 5 = |y - a|", "2*y - 10 = |2*y - 2*a|"),
     ("y", "1/(y - 5) + 1/a = 1/b", "y = 5 + a*b/(a - b)"),
     ("y", "(y - a)*(y + b)/(y + 5) = 0", "y^2 + (b - a)*y = a*b"),
     ("x", "1/tan(x) = a", "x = atan(1/a)"),
@@ -81,6 +86,13 @@ DIFFERENT = [
     ("y", "(y - a)*(y - b) = 0", "y = a"),
     ("y", "y*sqrt(y - b) = a*sqrt(y - b)", "y = a"),
     ("y", "(y - a)*(sqrt(y - b) - a) = 0", "(y - a)*(y - a^2 - b) = 0"),
+    ("y", "y = -y", "y = y"),
+    ("y", "ln(y) = -a", "ln(y) = -a*(1 + <x - 1.9>^1)"),
+    ("y", f"y = {MANY} - 12", f"y = 12 - ({MANY})"),
+    ("y", "(y - a)*sqrt(a - 0.5) = 0", "y = a"),
+    ("y", "(y - a)*root(b - 0.5; 4) = 0", "(y - a)^3 = 0"),
+    ("y", "sqrt((y - a)*sqrt(-b)) = 0", "y = a"),
+    ("y", "(y^3 + y - a)*asin(1 + a) = 0", "y^3 + y = a"),
 ]
 
 
@@ -120,10 +132,20 @@ def solves(text: str, point: Mapping[str, float]) -> bool:
 
 @pytest.mark.parametrize(
     ("one", "other"),
-    [("x^2 + 1 = 0", "x^2 + 2 = 0"), ("y = a + 5", "y = a + 6")],
+    [
+        ("x^2 + 1 = 0", "x^2 + 2 = 0"),
+        ("y = a + 5", "y = a + 6"),
+        ("y = a + 5", "y = a + 5 + <a - 0.97>^1"),
+        ("y = sqrt(-a)", "y*b = sqrt(-a)*b"),
+    ],
 )
 def test_without_a_solution_in_the_box_nothing_is_proved(one: str, other: str) -> None:
     assert compared("x", one, other).finding is Finding.UNDECIDED
+    assert compared("y", other, one).finding is Finding.UNDECIDED
+
+
+def test_where_a_branch_may_have_been_missed_nothing_is_equal() -> None:
+    assert compared("y", f"y = {MANY} - 12", f"2*y = 2*({MANY}) - 24").finding is Finding.UNDECIDED
 
 
 @pytest.mark.parametrize(
