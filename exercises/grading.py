@@ -10,15 +10,14 @@ from typing import Any
 
 from exercises import catalogue, solving
 from exercises.exercise import Grade, Submission, Variant
-from exercises.solving import NO_SECRET, Kept, Lines, Solved, evaluate
+from exercises.solving import NO_SECRET, Earlier, Kept, Lines, Solved, carry, evaluate
 from exercises.variants import Predictions, in_mode, misread, modes, slipped, slips, unasked
 from graders import AnswerSyntaxError, Code, Echo, Outcome, Value, Verdict
 from graders.common_slips import CommonSlip, Slips, agrees, is_right, likeliest, slips_of
 from graders.language import Tree
 from graders.language.doubles import UndefinedError
 from graders.language.notes import notes_of
-from graders.plausible import plausible
-from graders.verdict import EMPTY, FAULT, FOLLOWED, RIGHT, unreadable
+from graders.verdict import EMPTY, FAULT, RIGHT, unreadable
 
 GRADER_VERSION = "1"
 JUDGED = (Outcome.RIGHT, Outcome.PARTLY, Outcome.WRONG)
@@ -139,24 +138,20 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> Judged:
 
     After a right one in which the student chooses freely (frames of a chain) they are solved from his own choice.
     """
-    judged = Judged({}, {}, {})
-    fixed: dict[str, Value | Tree] = {}
+    earlier = Earlier(solved)
+    judged = Judged({}, {}, earlier.own)
     values = solved.values
     for name, answer in read.items():
         if isinstance(answer, Verdict):
             judged.verdicts[name] = answer
             continue
         expected = judged.expected[name] = _against(solved, read, name, solved.reference(name, values))
-        verdict = solved.answers[name].check(answer, expected)
-        if verdict.outcome in OFF:
-            if fixed and _follows(solved, name, answer, fixed, judged.own):
-                verdict = FOLLOWED
-            _carry(solved, name, answer, fixed)
-        elif _free(solved, name) and verdict is RIGHT:
+        verdict = earlier.seen(name, answer, solved.answers[name].check(answer, expected))
+        if _free(solved, name) and verdict is RIGHT:
             chosen = _chosen(solved, {name: answer}, {name: verdict})
             with suppress(UndefinedError):  # a table without a value at the numbers of this variant
-                values = solved.again(fixed={**fixed, **chosen})
-                fixed |= chosen
+                values = solved.again(fixed={**earlier.wrong, **chosen})
+                earlier.chose(chosen)
         judged.verdicts[name] = verdict
     return judged
 
@@ -169,42 +164,6 @@ def _against(solved: Solved, read: Mapping[str, Any], name: str, reference: Any)
     """Give what an answer is judged against; a judge that stands beside another answer is handed it as it was read."""
     beside = read.get(getattr(solved.answers[name], "beside", ""))
     return reference if beside is None or isinstance(beside, Verdict) else reference.beside(beside)
-
-
-def _follows(
-    solved: Solved, name: str, answer: Any, fixed: Mapping[str, Value | Tree], own: dict[str, Mapping[str, Value]]
-) -> bool:
-    """Tell whether an answer is right when solved from the student's own earlier values, which are noted."""
-    step, grader = solved.step_of(name), solved.answers[name]
-    if grader.symbolic or step not in solved.steps:
-        return False
-    kept = {key: value for key, value in fixed.items() if key != step or not isinstance(value, float | tuple | str)}
-    try:
-        values = own[name] = solved.again(fixed=kept)
-    except UndefinedError:
-        return False
-    return (
-        plausible(values[step], solved.values[step], _counted(solved, step))
-        and grader.check(answer, values[step]).code is Code.RIGHT
-    )
-
-
-def _counted(solved: Solved, step: str) -> bool:
-    """Tell whether a step is a whole number of things, whichever answer asks for it."""
-    return any(judge.kind == "integer" and solved.step_of(name) == step for name, judge in solved.answers.items())
-
-
-def _carry(solved: Solved, name: str, answer: Any, fixed: dict[str, Value | Tree]) -> None:
-    """Keep a wrong answer for the later ones, unless its value is trivial or outside the plausible range."""
-    step, carried = solved.step_of(name), solved.answers[name].carried(answer)
-    if carried is None:
-        return
-    try:
-        value = carried if isinstance(carried, float | tuple | str) else solved.again(fixed={step: carried})[step]
-    except UndefinedError:
-        return
-    if plausible(value, solved.values[step], _counted(solved, step)):
-        fixed[step] = carried
 
 
 def _chosen(solved: Solved, given: Mapping[str, Any], verdicts: Mapping[str, Verdict]) -> dict[str, Value | Tree]:
@@ -336,7 +295,7 @@ class Seen:
         for name in missed:
             if not (fixed and self.predicted(name, expected.following(fixed))):
                 yield slips_of(self.solved.answers[name], self.given[name], self._against(name, expected[name]))
-            _carry(self.solved, name, self.given[name], fixed)
+            carry(self.solved, name, self.given[name], fixed)
 
     def sources(self) -> frozenset[str]:
         """Give the givens and steps on which the first wrong number stands, and no right one before it."""

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias, TypeVar
 from exercises import catalogue
 from exercises.exercise import AnyExercise, Line, Steps, Variant
 from exercises.givens import domains, numbers, words_of
-from graders import Domain, Formula, Grader, States, Symbols, Value
+from graders import Code, Domain, Formula, Grader, Outcome, States, Symbols, Value, Verdict
 from graders.language import Tree, parse_line
 from graders.language.doubles import UndefinedError, domain_test, line_runner, run
 from graders.language.grids import Rows, rows_of
@@ -21,13 +21,18 @@ from graders.language.program import Runner, Table
 from graders.language.text import text_of
 from graders.language.tree import Grid
 from graders.language.tree import names as names_in
+from graders.plausible import plausible
 from graders.states import drawn
+from graders.verdict import FOLLOWED, RIGHT
 
 T = TypeVar("T")
 Kept: TypeAlias = tuple[tuple[str, Value], ...]
 SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
 Lines: TypeAlias = Mapping[str, Line | Tree]
+Own: TypeAlias = Mapping[str, Value]
+ONE_NUMBER = ("quantity", "rational")
+SEVERAL = ("diagram", "set")
 
 
 def evaluate(line: Line | Tree, values: Mapping[str, Value]) -> Value:
@@ -295,3 +300,100 @@ def _states(
         return drawn(dict(domains), words, formulas.defined(step), formulas.before(step))
     except UndefinedError as error:
         raise UndefinedError(f"{exercise}: step {step!r}: {error}") from error
+
+
+@dataclass(slots=True)
+class Earlier:
+    """What a student answered before.
+
+    Attributes:
+        solved: The variant.
+        wrong: Wrong values, and free choices, by step.
+        free: Free choices alone.
+        right: Right answers as they were read, by name.
+        own: For a wrong answer all values as they follow from the earlier wrong ones.
+    """
+
+    solved: Solved
+    wrong: dict[str, Value | Tree] = field(default_factory=dict)
+    free: dict[str, Value | Tree] = field(default_factory=dict)
+    right: dict[str, Any] = field(default_factory=dict)
+    own: dict[str, Own] = field(default_factory=dict)
+
+    def seen(self, name: str, answer: Any, verdict: Verdict) -> Verdict:
+        """Judge an answer once more beside the earlier ones, and keep it for later ones."""
+        off = verdict.outcome in (Outcome.PARTLY, Outcome.WRONG)
+        if off and self._rounded(name, answer, verdict):
+            verdict = RIGHT
+        elif off:
+            verdict = FOLLOWED if self._followed(name, answer) else verdict
+            carry(self.solved, name, answer, self.wrong)
+        if verdict is RIGHT and not self.solved.answers[name].symbolic:
+            self.right[name] = answer
+        return verdict
+
+    def chose(self, chosen: Mapping[str, Value | Tree]) -> None:
+        """Keep what the student chose freely."""
+        self.wrong |= chosen
+        self.free |= chosen
+
+    def _rounded(self, name: str, answer: Any, verdict: Verdict) -> bool:
+        """Tell whether an answer misses by the rounding of earlier right ones alone; one number has to come near."""
+        kind = self.solved.answers[name].kind
+        if kind not in SEVERAL and not (kind in ONE_NUMBER and verdict.code is Code.NOT_PRECISE):
+            return False
+        return bool(self.right) and self._right(name, answer, self._from(name, self._typed()))
+
+    def _followed(self, name: str, answer: Any) -> bool:
+        """Tell whether an answer is right when solved from earlier wrong ones, and right ones as they were typed."""
+        found = self._from(name, self.wrong)
+        if found is None:
+            return False
+        self.own[name] = found
+        return self._right(name, answer, found) or self._right(
+            name, answer, self._from(name, self._typed() | self.wrong)
+        )
+
+    def _typed(self) -> dict[str, Value | Tree]:
+        """Give what was chosen freely, and the values of the right answers to the figures typed."""
+        found = dict(self.free)
+        for name, answer in self.right.items():
+            carry(self.solved, name, answer, found)
+        return found
+
+    def _from(self, name: str, earlier: Mapping[str, Value | Tree]) -> Own | None:
+        """Solve from earlier answers; None where nothing follows from them."""
+        grader, step = self.solved.answers[name], self.solved.step_of(name)
+        if not earlier or grader.symbolic or step not in self.solved.steps:
+            return None
+        fixed = {key: one for key, one in earlier.items() if key != step or not isinstance(one, float | tuple | str)}
+        try:
+            return self.solved.again(fixed=fixed)
+        except UndefinedError:
+            return None
+
+    def _right(self, name: str, answer: Any, found: Own | None) -> bool:
+        step = self.solved.step_of(name)
+        return (
+            found is not None
+            and plausible(found[step], self.solved.values[step], counted(self.solved, step))
+            and self.solved.answers[name].check(answer, found[step]).code is Code.RIGHT
+        )
+
+
+def counted(solved: Solved, step: str) -> bool:
+    """Tell whether a step is a whole number of things, whichever answer asks for it."""
+    return any(judge.kind == "integer" and solved.step_of(name) == step for name, judge in solved.answers.items())
+
+
+def carry(solved: Solved, name: str, answer: Any, kept: dict[str, Value | Tree]) -> None:
+    """Keep an answer for the later ones, unless its value is trivial or outside the plausible range."""
+    step, carried = solved.step_of(name), solved.answers[name].carried(answer)
+    if carried is None:
+        return
+    try:
+        value = carried if isinstance(carried, float | tuple | str) else solved.again(fixed={step: carried})[step]
+    except UndefinedError:
+        return
+    if plausible(value, solved.values[step], counted(solved, step)):
+        kept[step] = carried

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from graders.cycle.curve import Cycle
@@ -20,6 +20,7 @@ HOPELESS = 0.6  # of an amplitude: no shift in reach of the grid has so great an
 WIDEST = 0.1  # gap between phases, of a cycle
 LOOSE = 2.0  # tolerances within which a slip is recognised
 ALIKE = 2e-3  # of the largest: a difference quotient printed with few figures
+ROUNDED = 0.005  # of a cycle: an abscissa of three figures, 0.101 s for 0.1005 s
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +67,27 @@ class Beside:
 
 
 def beside(table: Table, cycle: Cycle, rule: Rule) -> Beside:
-    """Put a table beside the cycle; of a long one evenly spread rows are judged."""
-    number = next(at for at, column in enumerate(rule.columns[: rule.abscissae]) if column.name in table.columns)
+    """Put a table beside the cycle, by the abscissa that leaves most columns right."""
+    first, *others = (
+        _beside(table, cycle, rule, at)
+        for at, column in enumerate(rule.columns[: rule.abscissae])
+        if column.name in table.columns
+    )
+    return first if not off(first) else min((first, *others, *_evened(first)), key=lambda seen: len(off(seen)))
+
+
+def _evened(seen: Beside) -> Iterator[Beside]:
+    """Put a table at equal steps of a whole cycle, where its abscissae are that but for their rounding."""
+    phases = seen.phases
+    step = (phases[-1] - phases[0]) / max(1, len(phases) - 1)
+    steps = round(1 / step) if step else 0
+    even = tuple(phases[0] + at / steps for at in range(len(phases))) if steps else ()
+    if even and all(abs(one - other) <= ROUNDED for one, other in zip(even, phases, strict=True)):
+        yield replace(seen, phases=even)
+
+
+def _beside(table: Table, cycle: Cycle, rule: Rule, number: int) -> Beside:
+    """Put a table beside the cycle by one abscissa; of a long one evenly spread rows are judged."""
     every = max(1, math.ceil(table.rows / JUDGED))
     abscissa = table.columns[rule.columns[number].name]
     return Beside(

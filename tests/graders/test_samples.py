@@ -225,6 +225,38 @@ def test_a_cycle_needs_enough_rows_and_no_gap() -> None:
     assert judged("t;x;v;a\n" + "1;1;1;1\n" * 40).score == 0
 
 
+def times(figures: int, rows: int = 36, of: float = 1.0) -> str:
+    """Write a table whose times are rounded to some figures, or whose rows are late by a part of a step."""
+    return table(abscissa=lambda turn: float(f"{2 * pi / SPEED * turn * of:.{figures}g}"), rows=rows)
+
+
+def test_times_of_equal_steps_may_be_rounded_to_three_figures() -> None:
+    assert judged(times(3)).code is judged(times(3, 90)).code is Code.RIGHT
+    assert judged(times(2)).code is not Code.RIGHT
+
+
+def test_a_turn_of_another_length_is_no_rounding() -> None:
+    assert judged(times(9, of=1.02)).code is judged(times(9, of=0.98)).code is Code.NO_MARKS
+
+
+def test_steps_that_do_not_divide_the_turn_are_judged_as_typed() -> None:
+    assert judged(table(rows=900)).code is Code.RIGHT
+    text = table(
+        lambda alpha: motion(START + (alpha - START) * 0.9937),
+        rows=200,
+        abscissa=lambda turn: 0.9937 * 2 * pi / SPEED * turn,
+    )
+    assert judged(text).code is Code.RIGHT
+
+
+def test_the_angle_is_judged_where_the_times_beside_it_are_coarse() -> None:
+    def coarse(turn: float) -> float:
+        return round(2 * pi / SPEED * turn, 2)
+
+    both = table(lambda alpha: (degrees(alpha), *motion(alpha)), abscissa=coarse, head="t;alpha;x;v;a")
+    assert judged(both).code is Code.RIGHT and judged(table(abscissa=coarse)).code is not Code.RIGHT
+
+
 def test_several_cycles_and_rows_in_any_order_are_one_cycle() -> None:
     lines = table(rows=48).split("\n")
     assert judged("\n".join([lines[0], *reversed(lines[1:])])).code is Code.RIGHT

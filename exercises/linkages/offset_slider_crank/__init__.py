@@ -71,7 +71,7 @@ def _end(g: Givens, angle: float) -> float:
 
 EXERCISE = Exercise(
     systems=("VP-3",),
-    version=2,
+    version=3,
     givens=Givens,
     draw=draw,
     steps={
@@ -94,7 +94,7 @@ EXERCISE = Exercise(
         "l3": Quantity("mm", rtol=0.005),
         "alpha2": Quantity("deg", rtol=0.005),
         "v3": Quantity("m/s", rtol=0.005),
-        "H": Quantity("mm", rtol=0.002),
+        "H": Quantity("mm", rtol=0.005),
     },
     mistakes={
         "guide_below": Mistake(h="-h"),
