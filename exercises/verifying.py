@@ -10,7 +10,7 @@ from typing import Any
 
 from exercises import catalogue, variants
 from exercises.exercise import Submission, Values, Variant
-from exercises.givens import Json, numbers
+from exercises.givens import Json, domains, numbers
 from exercises.grading import grade, judge, reference
 from exercises.presenting import presented, printed_givens, solution
 from exercises.solving import Kept, Solved, solve
@@ -62,6 +62,7 @@ def verify(exercise_id: str, seeds: Iterable[int]) -> Report:
 def _variant(variant: Variant) -> Iterator[str]:
     entry = catalogue.load(variant.exercise)
     solved = Solved(entry.exercise, variant)
+    yield from outside(variant.givens)
     yield from _oracle(solved, entry.exercise.oracle(variant.givens))
     yield from _degenerate(solved)
     yield from _spellings(solved)
@@ -72,6 +73,16 @@ def _variant(variant: Variant) -> Iterator[str]:
     for lang in LANGUAGES:
         presented(variant, lang)
         solution(variant, lang)
+
+
+def outside(givens: Any) -> Iterator[str]:
+    """Tell which numbers are outside the domain they declare, in which formulas are compared."""
+    declared = domains(givens)
+    for name, value in numbers(givens).items():
+        low, high = declared[name].low, declared[name].high
+        slack = AGREEMENT * max(abs(low), abs(high))
+        if not low - slack <= value <= high + slack:
+            yield f"given {name} = {value!r} is outside its domain, {low!r} to {high!r}"
 
 
 def _oracle(solved: Solved, independent: Values) -> Iterator[str]:

@@ -16,7 +16,7 @@ from exercises.exercise import Answers, Line, Submission, Variant
 from exercises.grading import grade, preview, reference
 from exercises.presenting import hint, hint_text, presented, printed_givens, solution
 from exercises.solving import Solved
-from exercises.verifying import verify
+from exercises.verifying import outside, verify
 from exercises.words import named, plain
 from graders import Code, Outcome, Verdict
 from graders.language import doubles
@@ -48,6 +48,12 @@ def test_the_publish_gate_finds_nothing(exercise_id: str) -> None:
 @EVERY
 def test_the_same_seed_gives_the_same_variant(exercise_id: str) -> None:
     assert [dealt(exercise_id, seed) for seed in SEEDS] == [variants.deal(exercise_id, seed) for seed in SEEDS]
+
+
+@EVERY
+def test_drawn_numbers_lie_in_the_domains_they_declare(exercise_id: str) -> None:
+    for seed in range(amount(40, 200)):
+        assert not [*outside(dealt(exercise_id, seed).givens)], seed
 
 
 @EVERY

@@ -27,7 +27,7 @@ class Givens:
     l1: float = given(0.04, 0.15)  # crank AB, m
     l2: float = given(0.1, 0.6)  # coupler BC, m
     l3: float = given(0.1, 0.6)  # rocker DC, m
-    l4: float = given(0.1, 0.7)  # frame AD, m
+    l4: float = given(0.1, 0.9)  # frame AD, m
     alpha1: float = given(0, 2 * pi)  # crank angle from OX, rad
     omega1: float = given(2, 40)  # crank angular velocity, rad/s
     epsilon1: float = given(-200, 200)  # crank angular acceleration, rad/s^2

@@ -27,7 +27,7 @@ COLUMNS = (
 @dataclass(frozen=True, slots=True)
 class Givens:
     l1: float = given(0.03, 0.1)  # crank, m
-    l2: float = given(0.08, 0.5)  # connecting rod, m
+    l2: float = given(0.07, 0.5)  # connecting rod, m
     n: float = given(60, 1500)  # turns of the crank in a minute
     alpha0: float = given(0, 2 * pi)  # crank angle at t = 0, rad
     sense: str = option("counterclockwise", "clockwise")

@@ -114,7 +114,7 @@ class Force:
     """A force downwards."""
 
     F: float = given(1e3, 20e3)  # N
-    a: float = given(0.2, 7)  # its place, m
+    a: float = given(0, 7)  # its place, m
 
     total = "F{i}"
     turn = "F{i}*({x} - a{i})"
@@ -131,7 +131,7 @@ class Lift:
     """A force upwards."""
 
     F: float = given(1e3, 20e3)  # N
-    a: float = given(0.2, 7)  # its place, m
+    a: float = given(0, 7)  # its place, m
 
     total = "-F{i}"
     turn = "-F{i}*({x} - a{i})"
@@ -148,7 +148,7 @@ class Uniform:
     """A uniform load downwards on a part of the beam."""
 
     q: float = given(1e3, 12e3)  # N/m
-    a: float = given(0.2, 5)  # its start, m
+    a: float = given(0, 5)  # its start, m
     c: float = given(0.5, 7)  # its end, m
 
     total = "q{i}*(c{i} - a{i})"
@@ -166,7 +166,7 @@ class Clockwise:
     """A couple that turns clockwise: M jumps up behind it."""
 
     M: float = given(1e3, 20e3)  # N m
-    a: float = given(0.2, 7)  # its place, m
+    a: float = given(0, 7)  # its place, m
 
     total = ""
     turn = "-M{i}"
@@ -183,7 +183,7 @@ class Counterclockwise:
     """A couple that turns counter-clockwise: M jumps down behind it."""
 
     M: float = given(1e3, 20e3)  # N m
-    a: float = given(0.2, 7)  # its place, m
+    a: float = given(0, 7)  # its place, m
 
     total = ""
     turn = "M{i}"
