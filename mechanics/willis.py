@@ -12,6 +12,7 @@ from fractions import Fraction
 from math import pi, sin
 from typing import Literal
 
+from mechanics.checks import count
 from mechanics.errors import TrainError
 
 Exact = int | Fraction
@@ -137,10 +138,20 @@ def coaxial_wheel(first: Stage, driving_z: int, type: Literal["external", "inter
 
 
 def can_be_assembled(sun_z: int, ring_z: int, planets: int) -> bool:
-    """Tell whether equally spaced planets fit the teeth: (z_s + z_r)/K is whole (TR-5)."""
+    """Tell whether equally spaced planets fit the teeth: (z_s + z_r)/K is whole (TR-5).
+
+    Raises:
+        ValueError: The number of planets is no whole positive number.
+    """
+    count("planets", planets)
     return (sun_z + ring_z) % planets == 0
 
 
 def planets_clear(sun_z: int, planet_z: int, planets: int) -> bool:
-    """Tell whether neighbouring planets do not touch: (z_s + z_p) sin(pi/K) > z_p + 2 (TR-5)."""
-    return (sun_z + planet_z) * sin(pi / planets) > planet_z + 2
+    """Tell whether neighbouring planets do not touch: (z_s + z_p) sin(pi/K) > z_p + 2 (TR-5); one has no neighbour.
+
+    Raises:
+        ValueError: The number of planets is no whole positive number.
+    """
+    count("planets", planets)
+    return planets == 1 or (sun_z + planet_z) * sin(pi / planets) > planet_z + 2

@@ -2,17 +2,28 @@
 
 from __future__ import annotations
 
+from math import pi, sin
 from typing import Literal
 
 import pytest
 
+from exercises import variants
 from exercises.exercise import Submission, Variant
 from exercises.grading import grade, reference
 from exercises.solving import solved
 from exercises.transmissions.planetary import Givens
 from exercises.transmissions.planetary.wheels import Planet, Ring, Sun
+from tests.depth import amount
 
 WHEELS = Sun(20), Planet(31), Ring(82)
+
+
+@pytest.mark.parametrize("seed", range(amount(60, 400)))
+def test_three_planets_have_room_beside_one_another_in_both_planes(seed: int) -> None:
+    wheels = variants.deal("planetary", seed).givens.wheels
+    between = (wheels[0].z + wheels[1].z) * sin(pi / 3)  # axes of neighbours, in modules
+    for rim in wheels[1:-1]:
+        assert rim.z + 2 < between, wheels
 
 
 def named(held: Literal["first", "last"], driver: Literal["wheel", "carrier"], **lines: str) -> str | None:

@@ -94,6 +94,15 @@ def test_planets_are_clear_when_their_tip_circles_are(sun: int, planet: int, pla
         assert planets_clear(sun, planet, planets) == (between > 2 * tip)
 
 
+def test_a_planet_alone_has_no_neighbour_and_none_is_no_number() -> None:
+    assert planets_clear(20, 31, 1) and can_be_assembled(20, 82, 1)
+    for planets in (0, -3):
+        with pytest.raises(ValueError, match=rf"planets = {planets} must be a whole positive number"):
+            planets_clear(20, 31, planets)
+        with pytest.raises(ValueError, match=rf"planets = {planets} must be a whole positive number"):
+            can_be_assembled(20, 82, planets)
+
+
 @pytest.mark.parametrize("stage", [(0, 20, "external"), (20, -1, "external"), (20, 20, "bevel")])
 def test_impossible_stages_are_refused(stage: tuple[int, int, str]) -> None:
     with pytest.raises(ValueError, match=r"teeth|mesh type"):

@@ -52,6 +52,8 @@ def block(rng: Draw, sun: int, planet: int, internal: bool) -> tuple[Wheel, ...]
     last = sun + planet + second if internal else sun + planet - second
     if last < 17 or second == planet or (not internal and abs(planet * last - sun * second) < 0.05 * sun * second):
         rng.reject()
+    if not willis.planets_clear(sun + planet - second, second, PLANETS):  # of one module: the axes are as far apart
+        rng.reject()
     return Sun(sun), Planet(planet), Block(second), Ring(last) if internal else Outer(last)
 
 
@@ -168,6 +170,7 @@ def carrier_forgotten(givens: Givens) -> Steps:
 
 EXERCISE = Exercise(
     systems=("TR-5",),
+    version=2,
     givens=Givens,
     draw=draw,
     steps=steps,
