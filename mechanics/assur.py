@@ -56,7 +56,8 @@ def decompose(pairs: Sequence[Pair], drivers: Sequence[str]) -> Structure:
 
     Raises:
         ValueError: A pair is not of class 5, or a driver is no link of the mechanism.
-        AssemblyError: What is left after the drivers is no sum of groups of at most six links.
+        AssemblyError: What is left after the drivers is no sum of groups of at most six links; some links may be
+            locked by too many pairs, or left with a freedom of their own.
     """
     if any(pair.klass != 5 for pair in pairs):
         raise ValueError("only pairs of class 5 form structural groups: replace a higher pair by a link first")
@@ -101,16 +102,22 @@ def dyad_form(outer: str, inner: str, other: str) -> str:
 
 
 def _next_group(pairs: Sequence[Pair], built: frozenset[str], rest: Iterable[str]) -> Group:
-    """Find the smallest set of links that gains no freedom on what is built."""
+    """Find the smallest set of links that gains no freedom on what is built, and no part of which is locked."""
     ordered = sorted(rest)
     for size in range(2, LARGEST + 1, 2):
         for links in combinations(ordered, size):
             found = _pairs_of(pairs, built, frozenset(links))
-            if len(found) * 2 == size * 3:
+            if len(found) * 2 == size * 3 and not _holds_locked(pairs, built, links):
                 return Group(frozenset(links), found, _class_of(pairs, found, frozenset(links)))
     raise AssemblyError(
         f"links {', '.join(ordered)} form no structural group on the drivers: mobility or drivers differ"
     )
+
+
+def _holds_locked(pairs: Sequence[Pair], built: frozenset[str], links: Sequence[str]) -> bool:
+    """Tell whether some of the links are held by too many pairs, which the freedom of others makes up for."""
+    parts = (part for size in range(1, len(links)) for part in combinations(links, size))
+    return any(2 * len(_pairs_of(pairs, built, frozenset(part))) > 3 * len(part) for part in parts)
 
 
 def _pairs_of(pairs: Sequence[Pair], built: frozenset[str], links: frozenset[str]) -> tuple[int, ...]:

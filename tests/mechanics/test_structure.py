@@ -173,5 +173,19 @@ def test_what_is_no_sum_of_groups_is_refused() -> None:
         decompose([*FOUR_BAR, Pair("1", "3")], ["1"])
     with pytest.raises(ValueError, match="class 5"):
         decompose([Pair("0", "1", 4)], ["1"])
+
+
+LOCKED = [Pair("0", "1"), Pair("1", "2"), Pair("2", "0"), Pair("2", "3")]  # a triangle, and a link that dangles from it
+TWO_PINS = [Pair("0", "1"), Pair("0", "2"), Pair("0", "2"), Pair("1", "3")]
+
+
+@pytest.mark.parametrize("pairs", [LOCKED, TWO_PINS])
+def test_a_locked_link_and_a_loose_one_are_no_group_though_the_formula_gives_zero(pairs: list[Pair]) -> None:
+    assert planar_mobility(3, len(pairs)) == 1
+    with pytest.raises(AssemblyError, match="links 2, 3 form no structural group"):
+        decompose(pairs, ["1"])
+
+
+def test_a_driver_is_a_link_of_the_mechanism() -> None:
     with pytest.raises(ValueError, match="driver 9 is no link"):
         decompose(FOUR_BAR, ["9"])
