@@ -12,7 +12,7 @@ from __future__ import annotations
 from cmath import exp, phase
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from math import acos, cos, hypot, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin, sqrt
 from typing import NamedTuple
 
 from mechanics import linear, loop
@@ -23,6 +23,7 @@ from mechanics.linkage import principal
 BRANCHES = {"++": (1, 1), "+-": (1, -1), "-+": (-1, 1), "--": (-1, -1)}
 DEAD_NAME = "two assemblies meet: the closure equations are singular"
 LENGTHS = ("l_AB", "l_BC", "l_BE", "l_CE", "l_CD", "l_EF", "l_EH", "l_FH", "l_FG", "l_HK")
+REACH = 1e-12  # a gap below this part of the side is rounding, not distance
 ROUNDING = 1e-13  # of a point's place over the longest length before it
 SAME = 1e-6  # rad: two zeros as near, with the same signs, are one
 ROUNDS, SETTLED = 30, 1e-13  # of Newton's method; its last step, rad
@@ -75,11 +76,14 @@ class Unit:
 
 
 def _corner(name: str, one: float, other: float, opposite: float) -> float:
-    cosine = (one * one + other * other - opposite * opposite) / (2 * one * other)
-    if not -1 <= cosine <= 1:
-        gap = max(opposite - one - other, abs(one - other) - opposite)
+    """The angle between two sides by its half, which keeps its digits where the three joints are in line."""
+    longest, shortest = one + other, abs(one - other)
+    gap = max(opposite - longest, shortest - opposite)
+    if gap > REACH * max(longest, opposite):
         raise AssemblyError(f"the sides of the ternary link {name} make no triangle: {gap:.4g} do not fit")
-    return acos(cosine)
+    above = sqrt(max(0.0, opposite - shortest)) * sqrt(opposite + shortest)
+    below = sqrt(max(0.0, longest - opposite)) * sqrt(longest + opposite)
+    return 2 * atan2(above, below)
 
 
 class Assembly(NamedTuple):

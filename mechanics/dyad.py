@@ -6,11 +6,14 @@ components, as it is the inner loop of every linkage with such a group (domain V
 
 from __future__ import annotations
 
+import sys
 from math import sqrt
 from typing import NamedTuple
 
+from mechanics.checks import in_range
 from mechanics.errors import AssemblyError, SingularError
 
+LARGEST = sys.float_info.max
 REACH = 1e-12  # a gap below this part of the size is rounding, not distance
 DEAD = 1e-6  # sine of the angle between the bars below which a rounded crank angle leaves theirs unknown to 1e-9
 
@@ -40,13 +43,15 @@ def vectors(dx: float, dy: float, l5: float, l6: float, left: bool, names: Names
         names: Words for a refusal.
 
     Raises:
+        ValueError: A number on the way is beyond the range of floats.
         AssemblyError: P and G are too far apart or too near for the bars to meet; the message has the gap.
         SingularError: P and G are one point, and the bars are of one length.
     """
     square = dx * dx + dy * dy
     apart = sqrt(square)
     heron = (l5 + l6 + apart) * (l5 + l6 - apart) * (l6 - l5 + apart) * (l5 - l6 + apart)
-    if heron <= 0.0:
+    if not 0.0 < heron <= LARGEST:
+        in_range(heron)
         heron = _stretched(apart, l5, l6, names)
     double = 2 * square
     along = (l5 * l5 - l6 * l6 + square) / double

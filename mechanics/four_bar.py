@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
-from math import acos, atan2, cos, sin
+from math import atan2, cos, sin, sqrt
 from typing import Literal, get_args
 
 from mechanics import dyad
@@ -179,8 +179,17 @@ def _with_point(
 
 
 def crank_turns(l1: float, l2: float, l3: float, l4: float) -> bool:
-    """Tell whether the crank turns fully (Grashof): coupler and rocker can span both |l1 - l4| and l1 + l4 (m)."""
-    return l1 + l4 <= l2 + l3 and abs(l1 - l4) >= abs(l2 - l3)
+    """Tell whether the crank turns fully (Grashof): coupler and rocker can span both |l1 - l4| and l1 + l4 (m).
+
+    Args:
+        l1, l2, l3, l4: As for `dead_positions`; lengths that fit but for a rounding do.
+
+    Raises:
+        ValueError: A length is not positive and finite.
+    """
+    _check(l1, l2, l3, l4, 0.0, "C_left_of_BD")
+    rounding = dyad.REACH * max(l1, l2, l3, l4)
+    return l1 + l4 <= l2 + l3 + rounding and abs(l1 - l4) >= abs(l2 - l3) - rounding
 
 
 def dead_positions(l1: float, l2: float, l3: float, l4: float) -> tuple[float, ...]:
@@ -195,9 +204,18 @@ def dead_positions(l1: float, l2: float, l3: float, l4: float) -> tuple[float, .
     Returns:
         None, one or two angles, in radians.
 
+    Raises:
+        ValueError: A length is not positive and finite.
+
     Source:
-        The law of cosines in the triangle ABD with BD = |l2 - l3| and BD = l2 + l3.
+        The law of cosines in the triangle ABD with BD = |l2 - l3| and BD = l2 + l3, by half of the angle.
     """
     _check(l1, l2, l3, l4, 0.0, "C_left_of_BD")
-    cosines = [(l1 * l1 + l4 * l4 - apart * apart) / (2 * l1 * l4) for apart in (abs(l2 - l3), l2 + l3)]
-    return tuple(acos(cosine) for cosine in cosines if -1 <= cosine <= 1)
+    near, far = abs(l1 - l4), l1 + l4
+    found = []
+    for apart in (abs(l2 - l3), l2 + l3):
+        above, below = apart - near, far - apart
+        if min(above, below) >= -dyad.REACH * far:
+            sine, cosine = (sqrt(max(0.0, gap)) * sqrt(apart + side) for gap, side in ((above, near), (below, far)))
+            found.append(2 * atan2(sine, cosine))
+    return tuple(found)

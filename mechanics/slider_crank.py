@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
-from math import asin, atan2, cos, pi, sin, sqrt
+from math import asin, atan2, copysign, cos, pi, sin, sqrt
 from typing import Literal, get_args
 
 from mechanics.checks import finite, positive
@@ -51,6 +51,7 @@ def position(
     Source:
         Domain VP-2 (4), (5); VP-3: sin a2 = (h - l1 sin a1)/l2.
     """
+    finite("crank angle alpha1", crank_angle, "rad")
     y2 = offset - crank * sin(crank_angle)
     x2 = sqrt(_square(crank, rod, crank_angle, offset, branch, y2))
     if branch == "slider_left":
@@ -198,7 +199,9 @@ def dead_positions(crank: float, rod: float, offset: float = 0.0) -> tuple[float
     finite("offset", offset, "m")
     found: set[float] = set()
     for climb in (offset - rod, offset + rod):
-        if abs(climb) <= crank:
+        if abs(abs(climb) - crank) <= REACH * crank:
+            found.add(copysign(pi / 2, climb))
+        elif abs(climb) < crank:
             angle = asin(climb / crank)
             found |= {angle, principal(pi - angle)}
     return tuple(sorted(found))

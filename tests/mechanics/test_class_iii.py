@@ -201,6 +201,16 @@ def test_sides_that_make_no_triangle_are_refused_with_the_gap() -> None:
         unit(l_BC=3000)
 
 
+@pytest.mark.parametrize(
+    ("near", "far", "across"), [(0.1, 0.2, 0.3), (0.3, 0.1, 0.2), (1.15, 0.3, 1.45), (0.7, 0.1, 0.6)]
+)
+def test_three_joints_in_line_are_a_ternary_link(near: float, far: float, across: float) -> None:
+    """E between B and C, or beyond one of them: printed lengths add up but for a rounding."""
+    one = unit(l_BE=near, l_CE=far, l_BC=across)
+    straight = far if across < max(near, far) else -far
+    assert one.arm_C == pytest.approx(straight, abs=1e-7)
+
+
 def test_a_branch_must_be_known_and_an_angle_finite() -> None:
     with pytest.raises(ValueError, match="branch"):
         constraint(unit(), 1.0, "+")

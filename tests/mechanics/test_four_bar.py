@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, hypot, inf, isclose, nan, pi, radians, sin
+from math import acos, cos, hypot, inf, isclose, nan, pi, radians, sin
 
 import pytest
 from hypothesis import assume, given, settings
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from mechanics import four_bar
 from mechanics.errors import AssemblyError, SingularError
-from mechanics.four_bar import Mode, assemblies, crank_turns, position, solve
+from mechanics.four_bar import Mode, assemblies, crank_turns, dead_positions, position, solve
 from mechanics.linkage import LinkageMotion
 from mechanics.newton_linkages import four_bar_motion
 from mechanics.planar import Marker
@@ -196,3 +196,32 @@ def test_stretched_bars_are_assembled_but_have_no_rates() -> None:
     assert position(*bars, pi).coupler_angle == pytest.approx(0, abs=1e-6)
     with pytest.raises(SingularError, match="in line"):
         solve(*bars, pi, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("bars", "dead"),
+    [
+        ((0.1, 0.2, 0.2, 0.3), [pi]),
+        ((0.3, 0.2, 0.25, 0.15), [pi]),
+        ((0.1, 0.3, 0.1, 0.3), [0.0, pi]),  # a parallelogram
+        ((0.3, 0.4, 0.1, 0.6), [0.0, acos((0.3**2 + 0.6**2 - 0.5**2) / (2 * 0.3 * 0.6))]),
+    ],
+)
+def test_a_change_point_is_a_dead_position_though_its_lengths_are_rounded(
+    bars: tuple[float, float, float, float], dead: list[float]
+) -> None:
+    found = dead_positions(*bars)
+    assert found == pytest.approx(dead, abs=1e-7)
+
+
+def test_a_crank_that_just_passes_its_change_points_turns_fully() -> None:
+    assert crank_turns(0.1, 0.15, 0.15, 0.2) and crank_turns(0.1, 0.2, 0.2, 0.3) and crank_turns(0.1, 0.3, 0.1, 0.3)
+    assert not crank_turns(0.1, 0.2, 0.2, 0.3001)
+    with pytest.raises(ValueError, match=r"rocker l3 = -0\.2 m must be positive"):
+        crank_turns(0.1, 0.2, -0.2, 0.3)
+
+
+def test_bars_beyond_the_range_of_floats_are_refused() -> None:
+    for far in (1e155, 1e300):
+        with pytest.raises(ValueError, match="range of floats"):
+            position(0.2, 1.3, 0.3, far, 2.0)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from mechanics import slider_crank
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import LinkageMotion
-from mechanics.slider_crank import Branch, position, solve, stroke
+from mechanics.slider_crank import Branch, dead_positions, position, solve, stroke
 from tests.depth import amount
 
 quick = settings(max_examples=amount(13, 40), deadline=None)
@@ -153,3 +153,27 @@ def test_stroke_refuses_an_offset_that_is_not_finite() -> None:
 def test_position_is_known_to_the_last_digits_near_the_dead_position() -> None:
     found = slider_crank.position(1.0, 1.0 + 1e-10, pi / 2)
     assert found.slider == pytest.approx((2e-10) ** 0.5, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("crank", "rod", "offset", "dead"),
+    [
+        (0.2, 0.3, 0.1, [-pi / 2]),
+        (0.3, 0.2, 0.1, [pi + asin(1 / 3) - 2 * pi, -asin(1 / 3), pi / 2]),
+        (0.1, 0.1, 0.0, [-pi / 2, pi / 2]),
+        (0.1, 0.3, 0.0, []),
+    ],
+)
+def test_a_dead_position_that_is_just_reached_is_one(
+    crank: float, rod: float, offset: float, dead: list[float]
+) -> None:
+    """Printed lengths that add up but for a rounding: 0.1 + 0.2 is not 0.3, 0.1 - 0.3 not -0.2."""
+    found = dead_positions(crank, rod, offset)
+    assert found == pytest.approx(dead, abs=1e-12)
+    for angle in found:
+        assert abs(abs(position(crank, rod, angle, offset).rod_angle) - pi / 2) < 1e-6
+
+
+def test_an_infinite_crank_angle_is_refused_by_name() -> None:
+    with pytest.raises(ValueError, match="crank angle alpha1 = inf rad must be finite"):
+        position(0.1, 0.3, inf)
