@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import inf, pi
 from typing import Literal
 
-from mechanics.checks import finite, positive
+from mechanics.checks import finite, in_range, positive
 from mechanics.linkage import principal
 from mechanics.vectors import ZERO, Vector, add, check_vector, cross, scaled
 
@@ -224,7 +224,8 @@ def four_bar(links: FourBarLinks, e1: float, e3: float) -> FourBarBalance:
         e3: Distance of the rocker's counterweight from D, m, positive.
 
     Raises:
-        ValueError: A distance is not positive and finite.
+        ValueError: A distance is not positive and finite, the counterweights take all mass away, or the answer is
+            beyond the range of floats.
 
     Source:
         Domain BV-7: m_k1 = (m_1B + m_2B) l1/e1, m_k2 = (m_2C + m_3C) l3/e3.
@@ -234,6 +235,7 @@ def four_bar(links: FourBarLinks, e1: float, e3: float) -> FourBarBalance:
     (m1A, m1B), (m2B, m2C), (m3D, m3C) = links.shared()
     m1k, m2k = (m1B + m2B) * links.l1 / e1, (m2C + m3C) * links.l3 / e3
     m_I, m_II = m1A + m1B + m2B + m1k, m3D + m3C + m2C + m2k
+    in_range(m1k + m2k)
     if not m_I + m_II > 0:
         raise ValueError(f"m1k = {m1k:g} kg and m2k = {m2k:g} kg leave no mass in the linkage")
     return FourBarBalance(m1k, m2k, m_I, m_II, links.l4 * m_II / (m_I + m_II))

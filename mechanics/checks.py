@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
+from math import fsum
 
 _LARGEST = sys.float_info.max
 
@@ -38,6 +40,20 @@ def in_range(total: float) -> None:
     """
     if not abs(total) <= _LARGEST:
         raise ValueError("on the way to the answer a number leaves the range of floats")
+
+
+def summed(values: Iterable[float]) -> float:
+    """Add numbers without rounding on the way.
+
+    Raises:
+        ValueError: The sum, or a number in it, is beyond the range of floats.
+    """
+    try:
+        total = fsum(values)
+    except (OverflowError, ValueError):  # infinities of both signs, or a sum too large on the way
+        total = float("nan")
+    in_range(total)
+    return total
 
 
 def place(name: str, x: float, length: float) -> None:

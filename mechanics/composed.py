@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import acos, fsum, pi, sqrt
+from math import acos, pi, sqrt
 
-from mechanics.checks import finite, positive
+from mechanics.checks import finite, positive, summed
 
 # A neutral axis this near to an edge, in parts of the height, is at the edge: the narrower side carries the stress.
 _EDGE = 1e-9
@@ -125,15 +125,15 @@ class Composed:
         if not solid:
             raise ValueError("a composed section needs at least one solid part")
         self._require_material()
-        area = fsum(_signed(part) for part in self.parts)
+        area = summed(_signed(part) for part in self.parts)
         positive("area of the section", area, "m^2")
         base = solid[0].y
-        centroid = base + fsum(_signed(part) * (part.y - base) for part in self.parts) / area
+        centroid = base + summed(_signed(part) * (part.y - base) for part in self.parts) / area
         moments = [_sign(part) * (part.own_moment + part.area * (part.y - centroid) ** 2) for part in self.parts]
         values = {
             "area": area,
             "centroid": centroid,
-            "second_moment": fsum(moments),
+            "second_moment": summed(moments),
             "top": max(part.y + part.half for part in solid) - centroid,
             "bottom": centroid - min(part.y - part.half for part in solid),
         }
@@ -152,7 +152,7 @@ class Composed:
 
     def width(self, y: float) -> float:
         """Return the width of the material (m) at a height y (m)."""
-        return fsum(_sign(part) * part.width(y) for part in self.parts)
+        return summed(_sign(part) * part.width(y) for part in self.parts)
 
     @property
     def section_modulus(self) -> float:
@@ -167,7 +167,7 @@ class Composed:
     @property
     def first_moment(self) -> float:
         """First moment of the part above the neutral axis, m^3."""
-        return fsum(_sign(part) * part.moment_above(self.centroid) for part in self.parts)
+        return summed(_sign(part) * part.moment_above(self.centroid) for part in self.parts)
 
     @property
     def neutral_width(self) -> float:

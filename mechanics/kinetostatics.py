@@ -38,11 +38,12 @@ class SliderCrank:
     g: float = 9.81  # m/s^2
 
     def __post_init__(self) -> None:
-        for name in ("m1", "m2", "m3", "J_S1", "J_S2"):
+        units = {"m1": "kg", "m2": "kg", "m3": "kg", "J_S1": "kg m^2", "J_S2": "kg m^2"}
+        for name, unit in units.items():
             if not 0 <= getattr(self, name) < float("inf"):
-                raise ValueError(f"{name} = {getattr(self, name)} must be finite and not negative")
-        for name in ("F3_x", "S1", "S2", "g"):
-            finite(name, getattr(self, name), "")
+                raise ValueError(f"{name} = {getattr(self, name)} {unit} must be finite and not negative")
+        for name, unit in (("F3_x", "N"), ("S1", ""), ("S2", ""), ("g", "m/s^2")):
+            finite(name, getattr(self, name), unit)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ class LinkMass:
     """Mass, centre and inertia of one link, constant in its own frame.
 
     Raises:
-        ValueError: The mass is negative, a value not finite, or the tensor that of no body.
+        ValueError: The mass is negative, a value not finite, or the tensor not symmetric or with a negative moment.
     """
 
     mass: float  # kg
@@ -113,10 +113,18 @@ class Drives:
 
 @dataclass(frozen=True, slots=True)
 class ToolLoad:
-    """What the tool exerts on its surroundings, at the origin of the last frame."""
+    """What the tool exerts on its surroundings, at the origin of the last frame.
+
+    Raises:
+        ValueError: A vector has another length than 3, or a value is not finite.
+    """
 
     force: Vector = ZERO  # N
     moment: Vector = ZERO  # N m
+
+    def __post_init__(self) -> None:
+        check_vector("tool force", self.force, "N")
+        check_vector("tool moment", self.moment, "N m")
 
 
 FREE = ToolLoad()

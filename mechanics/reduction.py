@@ -8,15 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from math import ceil, copysign, fsum, sqrt
+from math import ceil, copysign, fsum, isfinite, sqrt
 
 from mechanics import slider_crank, transfer
-from mechanics.checks import finite
+from mechanics.checks import finite, summed
 from mechanics.errors import SingularError
 from mechanics.slider_crank import Branch
 from mechanics.transfer import Transfer
 
 PANEL = 0.05  # longest piece of an integral, rad
+LONGEST = 1e4  # turn over which the work is summed, rad
 _NODES = ((-sqrt(0.6), 5 / 9), (0.0, 8 / 9), (sqrt(0.6), 5 / 9))  # Gauss's rule of three points, exact to degree 5
 
 
@@ -60,24 +61,33 @@ class Reduced:
 def reduce(coordinates: Sequence[Coordinate]) -> Reduced:
     """Reduce inertias and loads: equal energy and equal power.
 
+    Raises:
+        ValueError: The answer is beyond the range of floats.
+
     Source:
         Domain DY-1, DY-2: J = sum inertia u^2, M = sum load u; J' = sum 2 inertia u u'.
     """
     pairs = [(one, one.transfer) for one in coordinates]
     return Reduced(
-        J=fsum(one.inertia * t.u**2 for one, t in pairs),
-        dJ=fsum(2 * one.inertia * t.u * t.u_prime for one, t in pairs),
-        M=fsum(one.load * t.u for one, t in pairs),
+        J=summed(one.inertia * t.u * t.u for one, t in pairs),
+        dJ=summed(2 * one.inertia * t.u * t.u_prime for one, t in pairs),
+        M=summed(one.load * t.u for one, t in pairs),
     )
 
 
 def work(machine: Callable[[float], Reduced], start: float, end: float) -> float:
-    """Integrate the reduced moment over a turn from one position to another (rad), in J."""
+    """Integrate the reduced moment over a turn from one position to another (rad), in J.
+
+    Raises:
+        ValueError: The turn is not finite, or of more than ten thousand radians.
+    """
     return fsum(gained for _, gained in _panels(machine, start, end))
 
 
 def _panels(machine: Callable[[float], Reduced], start: float, end: float) -> Iterator[tuple[float, float]]:
     """Give piece by piece of a turn its end and the work done over it, by Gauss's rule of three points."""
+    if not abs(end - start) <= LONGEST:
+        raise ValueError(f"the turn from {start} rad to {end} rad must be finite and at most {LONGEST:g} rad")
     count = max(1, ceil(abs(end - start) / PANEL))
     half = (end - start) / count / 2
     for i in range(count):
@@ -95,12 +105,14 @@ def speed_after(machine: Callable[[float], Reduced], start: float, end: float, o
         omega0: Angular velocity at the start, in rad/s, of the sign of the turn.
 
     Raises:
-        ValueError: The machine stops on the way.
+        ValueError: The machine stops on the way, turns the other way at the start, or the turn is too long.
         SingularError: No inertia is reduced at the end.
 
     Source:
         Domain DY-3: J omega^2/2 - J0 omega0^2/2 = integral of M.
     """
+    if not isfinite(omega0) or omega0 * (end - start) < 0:
+        raise ValueError(f"omega0 = {omega0} rad/s must be finite and of the sense of the turn, {end - start:g} rad")
     energy = machine(start).energy(omega0)
     for phi, gained in _panels(machine, start, end):
         energy += gained
@@ -109,7 +121,7 @@ def speed_after(machine: Callable[[float], Reduced], start: float, end: float, o
     last = machine(end).J
     if not last > 0:
         raise SingularError("the reduced moment of inertia is 0: the speed is not determined")
-    return copysign(sqrt(2 * energy / last), end - start)
+    return copysign(sqrt(2 * energy / last), end - start or omega0)
 
 
 def slider_crank_machine(

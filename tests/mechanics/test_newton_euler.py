@@ -203,3 +203,10 @@ def test_a_link_that_is_no_body_is_refused(changes: dict[str, object], message: 
 def test_a_body_may_be_flat_or_a_point(size: float) -> None:
     for tensor in (diagonal(0, 0, 0), diagonal(size, size, 2 * size), diagonal(0, size, size)):
         assert LinkMass(0.0, (0.0, 0.0, 0.0), tensor).inertia == tensor
+
+
+def test_a_load_of_the_tool_is_three_finite_numbers() -> None:
+    with pytest.raises(ValueError, match="tool force z = inf N must be finite"):
+        ToolLoad(force=(0.0, 0.0, inf))
+    with pytest.raises(ValueError, match="tool moment x = nan N m must be finite"):
+        ToolLoad(moment=(nan, 0.0, 0.0))

@@ -151,3 +151,26 @@ def test_counts_that_cannot_be_are_refused() -> None:
         reactions.per_pair(6, planar=False)
     with pytest.raises(ValueError, match="-1 links"):
         reactions.count(-1, {5: 1})
+
+
+def test_a_machine_that_does_not_turn_keeps_its_speed_and_its_sense() -> None:
+    for omega in (25.0, -25.0):
+        assert reduction.speed_after(machine, 0.3, 0.3, omega) == pytest.approx(omega)
+
+
+@pytest.mark.parametrize(("end", "omega"), [(1.0, -2.5), (-1.0, 2.5), (1.0, nan)])
+def test_a_speed_against_the_turn_is_refused(end: float, omega: float) -> None:
+    with pytest.raises(ValueError, match=r"omega0 = .* rad/s must be finite and of the sense of the turn"):
+        reduction.speed_after(machine, 0.0, end, omega)
+
+
+@pytest.mark.parametrize("end", [1e9, nan, -1e300])
+def test_work_is_not_summed_for_ever(end: float) -> None:
+    with pytest.raises(ValueError, match="must be finite and at most 10000 rad"):
+        reduction.work(machine, 0.0, end)
+
+
+def test_inertias_beyond_the_range_of_floats_are_refused() -> None:
+    for u in (1e155, nan):
+        with pytest.raises(ValueError, match="range of floats"):
+            reduction.reduce([Coordinate(Transfer(u, -1.0), 2.0), Coordinate(Transfer(1.0, 1.0), 1e308)])

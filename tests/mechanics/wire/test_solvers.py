@@ -223,12 +223,34 @@ def test_a_place_that_misses_the_start_by_a_rounding_is_the_start() -> None:
     assert code("beam", request | {"sample_x": [-1e-6]}) == "out_of_range"
 
 
+HUGE = [{"type": "rect", "b": 1e200, "h": 1e200, "y": y, "hole": y < 0} for y in (1e300, -1e300, 0.0)]
+FOUR_BAR = {
+    "kind": "four_bar", "l1": 0.1, "l2": 0.26, "l3": 0.22, "l4": 0.3, "m1": 0.5, "m2": 1.0, "m3": 0.8,
+    "s1": 0.04, "s2": 0.12, "s3": 0.1, "e1": 0.08, "e3": 0.1,
+}  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("name", "request_"),
     [
         ("beam", {"L": 1e-300, "E": 2e11, "I": 1e-6, "supports": [{"x": 0, "type": "fixed"}]}),
         ("bar", {"segments": [{"L": 0.5, "A": 5e-324, "E": 2e11}], "forces": [{"x": 0.5, "F": 100}]}),
         ("shaft", {"G": 8e10, "segments": [{"L": 1, "D": 1e-60}], "torques": [{"x": 1, "T": 1e200}]}),
+        ("balance", {**FOUR_BAR, "m1": 1e308, "s1": 4, "s3": -1e308}),
+        (
+            "reduction",
+            {"l1": 0.2, "l2": 1e9, "alpha1": -1.9, "m2": 1.7e308, "m3": 1.7e308, "F3_x": -1e308, "M1": -1e308},
+        ),
+        (
+            "beam",
+            {
+                "L": 1,
+                "E": 2e11,
+                "supports": [{"x": 0, "type": "fixed"}],
+                "section": {"type": "composed", "parts": HUGE},
+            },
+        ),
+        ("linkage", {"kind": "four_bar", "l1": 0.2, "l2": 1.3, "l3": 0.3, "l4": 1e155, "alpha1": 2}),
         ("linkage", {"kind": "two_loop", "l1": 0.3, "l2": 0.5, "l3": 0.2, "l4": 1e308, "l5": 1, "h6": 0, "alpha1": 1}),
     ],
 )
