@@ -17,7 +17,7 @@ from server.answering.variants import GONE, visible
 from server.courses import zones
 from server.policy import Role, may_answer
 from server.reader import Asking, Reader, admit
-from server.sets.pages import title_of
+from server.sets.wording import title_of
 from server.storage import Problem
 from server.web import ids
 from server.web.errors import Failure, Refused, unknown_variant

@@ -10,7 +10,7 @@ from server.jobs.api import cancelled, items_of, job_of
 from server.policy import CourseRole
 from server.reader import Asking, admit
 from server.sets.publishing import troubles
-from server.sets.wording import said
+from server.sets.wording import said, titles_of
 from server.web.templating import page
 from server.workbench import Tools
 
@@ -23,7 +23,8 @@ router = APIRouter(dependencies=[Depends(admit)], include_in_schema=False)
 async def show_job(job: str, request: Request, bench: Tools, reader: Asking) -> HTMLResponse:
     """Show how far a job is, and where it has led."""
     found = await job_of(bench, job)
-    items = await items_of(bench, found)
+    items, against = await items_of(bench, found), troubles(found)
+    titles = await titles_of(bench, reader.language) if against else {}
     context = {
         "job": found,
         "course": here(reader).course,
@@ -32,7 +33,7 @@ async def show_job(job: str, request: Request, bench: Tools, reader: Asking) -> 
         "reached": (sum(one.done for one in items), sum(one.total for one in items))
         if items
         else (found.done, found.total),
-        "troubles": [said(reader.language, one) for one in troubles(found)],
+        "troubles": [said(reader.language, one, titles) for one in against],
         "again": AGAIN,
     }
     return page(request, reader.language, "job.html", context)

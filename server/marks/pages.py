@@ -32,8 +32,8 @@ from server.reader import Asking, Reader, admit
 from server.sets import clock
 from server.sets.api import set_of
 from server.sets.handing import rules_of
-from server.sets.pages import title_of
 from server.sets.reopening import solved_for, told_results
+from server.sets.wording import title_of
 from server.web.errors import Refused
 from server.web.language import say
 from server.web.templating import decimal, page

@@ -40,7 +40,7 @@ from server.sets.shapes import (
     shown_set,
 )
 from server.sets.standing import final, standing
-from server.sets.wording import said
+from server.sets.wording import said, titles_of
 from server.storage.audit import Action, Detail
 from server.storage.courses import Course
 from server.storage.jobs import FAILED, Busy, Job
@@ -326,11 +326,11 @@ async def published(bench: Bench, reader: Reader, task_set: TaskSet, seconds: fl
     except (NotADraft, Busy):
         raise await _not_now(bench, task_set) from None
     except Troubled as error:
-        raise _troubled(reader, error.troubles[0]) from None
+        raise await _troubled(bench, reader, error.troubles[0]) from None
     job = await publishing.waited(bench, number, seconds)
     if job.state == FAILED:
         troubles = publishing.troubles(job)
-        raise _troubled(reader, troubles[0]) if troubles else Refused(500, "our_fault")
+        raise await _troubled(bench, reader, troubles[0]) if troubles else Refused(500, "our_fault")
     return job
 
 
@@ -339,10 +339,12 @@ async def _not_now(bench: Bench, task_set: TaskSet) -> Refused:
     return Refused(409, "job_under_way", number=job.id) if job is not None and job.live else Refused(409, "set_changed")
 
 
-def _troubled(reader: Reader, trouble: Trouble) -> Refused:
+async def _troubled(bench: Bench, reader: Reader, trouble: Trouble) -> Refused:
     place = ("items", *((str(trouble.slot - 1), *FIELDS.get(trouble.code, ())) if trouble.slot else ()))
     field = ".".join(place)
-    return Refused(422, "set_troubled", field=field, said=said(reader.language, trouble))
+    return Refused(
+        422, "set_troubled", field=field, said=said(reader.language, trouble, await titles_of(bench, reader.language))
+    )
 
 
 async def own_variant(bench: Bench, reader: Reader, task_set: TaskSet, slot: Slot, another: bool) -> str:

@@ -219,7 +219,7 @@ def _compare(plan: Plan, drawn: Sequence[tuple[str, Variant]]) -> None:
         steps.setdefault(variant.exercise, []).append(len(lines))
     usual = {exercise: mode(counts) for exercise, counts in steps.items()}
     if len(set(usual.values())) > 1:
-        said = ", ".join(f"{exercise} {count}" for exercise, count in sorted(usual.items()))
+        said = "; ".join(f"{exercise} ({count})" for exercise, count in sorted(usual.items()))
         raise Unpublishable(Trouble(plan.number, "steps", {"counts": said}))
 
 

@@ -86,11 +86,13 @@ def scarce(tasks: Iterable[Task]) -> tuple[Scarce, ...]:
 def _refuse_unequal_steps(field: str, known: dict[str, Traits]) -> None:
     """Refuse a pool in which no variant of one exercise is as long as one of another."""
     if any(one.steps.isdisjoint(other.steps) for one, other in combinations(known.values(), 2)):
-        said = ", ".join(f"{exercise} {_between(found.steps)}" for exercise, found in known.items())
+        said = "; ".join(f"{exercise} ({length(exercise)})" for exercise in known)
         raise Refused(422, "unequal_steps", field=field, counts=said)
 
 
-def _between(counts: frozenset[int]) -> str:
+def length(exercise_id: str) -> str:
+    """Tell how many steps the solution of an exercise has, from the fewest to the most."""
+    counts = traits(exercise_id).steps
     low, high = min(counts), max(counts)
     return f"{low}" if low == high else f"{low}–{high}"
 

@@ -13,6 +13,7 @@ from server.sets.building import MOST_SLOTS
 from server.sets.clock import local
 from server.sets.handing import rules_of
 from server.sets.rules import Rules
+from server.sets.wording import by_titles
 from server.storage.sets import TaskSet
 from server.web.errors import Refused, printable
 from server.web.language import say, words
@@ -96,14 +97,14 @@ def typed(values: Mapping[str, str]) -> dict[str, Any]:
     return {name: values.get(name, "") for name in (*OF_SET, "revision", "base")} | {"slots": slots}
 
 
-def problem(language: str, refused: Refused) -> str:
+def problem(language: str, refused: Refused, titles: Mapping[str, str]) -> str:
     """Word why the form cannot be taken, with the field as the form calls it."""
     if refused.said:
         return refused.said
-    place = label(language, refused.field or "")
-    if "name" in refused.values:
-        return say(language, f"errors.{refused.code}", **refused.values | {"name": place})
-    return ": ".join(filter(None, (place, say(language, f"errors.{refused.code}", **refused.values))))
+    place, values = label(language, refused.field or ""), by_titles(refused.values, titles)
+    if "name" in values:
+        return say(language, f"errors.{refused.code}", **values | {"name": place})
+    return ": ".join(filter(None, (place, say(language, f"errors.{refused.code}", **values))))
 
 
 def label(language: str, field: str) -> str:

@@ -11,11 +11,9 @@ from fastapi import APIRouter, Depends, Path, Query, Request
 from pydantic import ValidationError
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
-from exercises import catalogue, presenting
 from exercises.variants import MAX_SEED
 from server.answering import forms
 from server.audit.acts import actor_of
-from server.catalogue.api import sample
 from server.courses.api import here
 from server.courses.zones import told
 from server.policy import CourseRole
@@ -25,11 +23,13 @@ from server.sets.api import copied, listed, more_time, own_variant, printed, pub
 from server.sets.building import Draft
 from server.sets.clash import clash
 from server.sets.duration import needed
+from server.sets.foresight import length
 from server.sets.form import draft_of_form, joined, problem, shelves, typed, written
 from server.sets.previewing import preview
 from server.sets.reopening import solved_for
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
+from server.sets.wording import titles_of
 from server.storage.sets import DRAFT, PUBLISHING, TaskSet
 from server.web.errors import Refused, printable, wants_page
 from server.web.templating import page
@@ -119,7 +119,7 @@ def _loaded(form: Mapping[str, Any]) -> dict[str, Any]:
 async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]) -> Response:
     """Give back what was typed into a draft that has changed meanwhile, with who changed what, to save or to let go."""
     found = await set_of(bench, reader, number)
-    titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await _titles(bench, reader.language)
+    titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await titles_of(bench, reader.language)
     stored = written(found, clock.zone(here(reader).course.time_zone))
     both = clash(reader.language, values, stored, titles)
     if not both.mine and not both.theirs:  # one button pressed twice, or a draft that was saved as it was
@@ -245,12 +245,12 @@ async def _builder(
     place = clock.zone(here(reader).course.time_zone)
     job = await bench.jobs.latest(publishing.NAME, found.id) if found.state == PUBLISHING else None
     dealt = await bench.jobs.progress(job.id) if job else ()
-    titles = await _titles(bench, reader.language)
+    titles = await titles_of(bench, reader.language)
     unfit = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
     context = {
         "task_set": found,
         "written": typed or written(found, place),
-        "problem": problem(reader.language, unfit) if unfit else None,
+        "problem": problem(reader.language, unfit, titles) if unfit else None,
         "wait": None,
         "scarce": await building.scarcely(bench, found) if found.state == DRAFT and not unfit else (),
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
@@ -269,25 +269,13 @@ async def _builder(
         if slot
         else None,
         "titles": titles,
+        "lengths": {one: await bench.judging.run(length, one) for one in titles} if found.state == DRAFT else {},
         "shelves": partial(shelves, titles),
     }
     status = refused.status_code if refused else status
     return page(request, reader.language, "builder.html", {**context, **told, **_common(reader)}, status=status)
 
 
-async def _titles(bench: Bench, language: str) -> dict[str, str]:
-    """Give the titles of all exercises in a language, by chapter."""
-    return {one: await title_of(bench, one, language) for one in catalogue.ids()}
-
-
 def _may_be_first(one: TaskSet, second: TaskSet) -> bool:
     """Whether a set may be the one to which another is a second chance."""
     return one.id != second.id and one.published is not None and not one.rules.get("second_chance_of")
-
-
-async def title_of(bench: Bench, exercise: str, language: str) -> str:
-    """Give the title of an exercise in a language; its id where it is no longer in the catalogue."""
-    if exercise not in catalogue.ids():
-        return exercise
-    shown: presenting.Presented = await bench.judging.run(sample, exercise, language)
-    return shown.title

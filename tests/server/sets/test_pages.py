@@ -36,6 +36,11 @@ def fields(page: str) -> dict[str, str]:
     return found
 
 
+def title(exercise: str, language: str = "en") -> str:
+    """The title of an exercise."""
+    return str(words_of(exercise, language)["title"])
+
+
 def started(course: Course) -> str:
     path = f"/courses/{course.school.course}/sets"
     reply = course.lecturer.post(path, data={"title": "Set 7"})
@@ -176,15 +181,23 @@ def test_a_set_that_cannot_be_published_says_why_on_a_page(course: Course) -> No
         (
             "pl",
             {"slot.1.pool": f"four_bar {EXERCISE}"},
-            "Te zadania różnią się liczbą kroków (four_bar 14, slider_crank 4)",
+            f"Liczba kroków: {title('four_bar', 'pl')} (14); {title(EXERCISE, 'pl')} (4).",
         ),
         ("ru", {"late_loss": "150"}, "Потеря за день"),
         ("en", {"due": "2026-03-29T02:30"}, "The value of Due is no moment"),
         ("pl", {"opens": "2030-02-01T12:00", "due": "2030-01-31T12:00"}, "Termin: Zestaw musi się otworzyć"),
         ("en", {"then": "publish", "slot.1.limits": "l1 0.041 0.042"}, "Task 1: the limits on givens accept 0 of 1000"),
-        ("en", {"slot.1.limits": "l1 5 6"}, "The given l1 of slider_crank never lies within these limits."),
-        ("pl", {"slot.1.limits": "l1 5 6"}, "Dana l1 zadania slider_crank nigdy nie mieści się w tych granicach."),
-        ("ru", {"slot.1.limits": "l1 0 0,03"}, "Данная l1 задачи slider_crank никогда не попадает в эти пределы."),
+        ("en", {"slot.1.limits": "l1 5 6"}, f"The given l1 of “{title(EXERCISE)}” never lies within these limits."),
+        (
+            "pl",
+            {"slot.1.limits": "l1 5 6"},
+            f"Dana l1 zadania „{title(EXERCISE, 'pl')}” nigdy nie mieści się w tych granicach.",
+        ),
+        (
+            "ru",
+            {"slot.1.limits": "l1 0 0,03"},
+            f"Данная l1 задачи «{title(EXERCISE, 'ru')}» никогда не попадает в эти пределы.",
+        ),
     ],
 )
 def test_what_the_builder_cannot_take_is_told_beside_all_that_was_typed(
@@ -348,9 +361,9 @@ def test_exercises_are_chosen_by_their_titles_under_their_chapters(course: Cours
     page = course.lecturer.get(f"/sets/{number}?lang={language}").text
     shelf = page[page.index('<details class="shelf"') : page.index("</details>")]
     for one in catalogue.ids():
-        title = escape(words_of(one, language)["title"])
-        assert f'value="{one}"{" checked" if one == "tmm2_poo" else ""}><span>{title}</span>' in shelf
-        assert f'<option value="{one}">{title}</option>' in page
+        name = escape(title(one, language))
+        assert f'value="{one}"{" checked" if one == "tmm2_poo" else ""}><span>{name} <small' in shelf
+        assert f'<option value="{one}">{name}</option>' in page
     assert f"<legend>{chapter}</legend>" in shelf and f'<optgroup label="{chapter}">' in page
 
 
@@ -452,3 +465,24 @@ def test_empty_answers_are_said_to_be_nothing_to_judge_and_nothing_else(course: 
     assert "All answers are empty: there is nothing to judge, and no attempt is counted</h2>" in page
     for other in ("Your answers are taken", "No attempt was counted", "mend what", "after it has closed for all"):
         assert other not in page
+
+
+def test_a_pool_of_unequal_length_is_told_by_the_titles_of_its_exercises_with_their_steps(course: Course) -> None:
+    path = started(course)
+    saved(course.lecturer, path, add=EXERCISE)
+    form = fields(course.lecturer.get(f"{path}?lang=en").text)
+    reply = course.lecturer.post(
+        f"{path}?lang=en", data=form | {"slot.1.pool": f"{EXERCISE} four_bar"}, headers={"accept": "text/html"}
+    )
+    assert reply.status_code == 422
+    (said,) = re.findall(r'id="problem">([^<]*)', unescape(reply.text))
+    assert "must have equally many steps" in said
+    assert said.endswith(f"Number of steps here: {title(EXERCISE)} (4); {title('four_bar')} (14).")
+
+
+def test_the_builder_tells_how_many_steps_each_exercise_has(course: Course) -> None:
+    path = started(course)
+    saved(course.lecturer, path, add=EXERCISE)
+    page = course.lecturer.get(f"{path}?lang=en").text
+    assert re.search(r'value="four_bar"><span>[^<]*<small class="quiet nowrap">steps: 14</small>', page)
+    assert re.search(r'value="gear_train"><span>[^<]*<small class="quiet nowrap">steps: 4–5</small>', page)
