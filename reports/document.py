@@ -19,8 +19,23 @@ class Formula:
 
     @property
     def spoken(self) -> str:
-        """Give its letters one after the other, for those who do not see it."""
-        return "".join(ElementTree.fromstring(self.mathml).itertext())
+        """Give it in one line of text, for those who do not see it."""
+        return _spoken(ElementTree.fromstring(self.mathml))
+
+
+JOINTS = {"mtable": " | ", "mtr": "; ", "mfrac": "/", "msup": "^"}
+
+
+def _spoken(element: ElementTree.Element) -> str:
+    tag = element.tag.rpartition("}")[2]
+    parts = [_spoken(child) for child in element]
+    if tag == "msqrt":
+        return f"√({''.join(parts)})"
+    if tag == "msubsup":
+        return "{}{}^{}".format(*parts)
+    if tag == "mfrac":
+        parts = [one if one.isalnum() else f"({one})" for one in parts]
+    return (element.text or "") + JOINTS.get(tag, "").join(parts)
 
 
 Run: TypeAlias = str | Formula

@@ -57,7 +57,8 @@ def line(runs: Line) -> str:
 
 @lru_cache(maxsize=256)
 def _equation(run: Formula) -> str:
-    return f"#math.equation(alt: {quoted(run.spoken)}, ${formula(run.mathml)}$)"
+    equation = f"math.equation(alt: {quoted(run.spoken)}, ${formula(run.mathml)}$)"
+    return f"#box(inset: (y: 0.6em), {equation})" if "<mtable" in run.mathml else f"#{equation}"  # or lines overlap
 
 
 def _heading(block: Heading) -> str:

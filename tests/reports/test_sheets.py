@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import re
 
 import pytest
+import typst
 
 from exercises import catalogue, variants
 from exercises.exercise import Variant
 from exercises.grading import reference
 from exercises.presenting import presented
 from reports import formats, sheets
-from reports.document import Break, Bullets, Document, Drawing, Facts, Heading, Paragraph, from_html, plain
+from reports.document import Break, Bullets, Document, Drawing, Facts, Formula, Heading, Paragraph, from_html, plain
+from reports.formulas.typst import formula
+from reports.typst import WRITERS
 
 
 def dealt(exercise: str, count: int = 3) -> list[tuple[str, Variant]]:
@@ -94,6 +98,35 @@ def answers_of(printed: sheets.Sheet, language: str) -> str:
     """What a key says of a variant."""
     (listed,) = [block for block in sheets.key([printed], language).blocks if isinstance(block, Bullets)]
     return "\n".join(map(plain, listed.lines))
+
+
+def test_matrices_in_the_lines_of_a_key_do_not_stand_over_one_another() -> None:
+    row = f"<mtr>{'<mtd><mn>0,5</mn></mtd>' * 4}</mtr>"
+    matrix = Formula(f"<math><mrow><mo>[</mo><mtable>{row * 4}</mtable><mo>]</mo></mrow></math>")
+    lines = [WRITERS[Bullets](Bullets((("A: ", matrix),) * count, True)) for count in (1, 2)]
+    alone = f"#math.equation(block: true, ${formula(matrix.mathml)}$)"
+    one, two, whole = heights(*lines, alone)
+    assert two - one > 0.9 * whole
+
+
+def heights(*contents: str) -> list[float]:
+    """How high contents are in a document, in points."""
+    measured = "\n".join(f"[#metadata(measure([{content}]).height.pt()) <height>]" for content in contents)
+    made = f"#set text(size: 11pt)\n#set par(leading: 0.65em)\n#context {{\n{measured}\n}}"
+    return [float(one) for one in json.loads(typst.query(made.encode(), "<height>", field="value"))]
+
+
+@pytest.mark.parametrize(
+    ("mathml", "said"),
+    [
+        ("<mtable><mtr><mtd>1,5</mtd><mtd>0</mtd></mtr><mtr><mtd>a</mtd><mtd>2</mtd></mtr></mtable>", "1,5; 0 | a; 2"),
+        ("<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mn>2</mn></mfrac>", "(a+b)/2"),
+        ("<msubsup><mi>ω</mi><mn>1</mn><mn>2</mn></msubsup><msup><mi>x</mi><mn>3</mn></msup>", "ω1^2x^3"),
+        ("<msqrt><mi>a</mi><mo>+</mo><mi>b</mi></msqrt>", "√(a+b)"),
+    ],
+)
+def test_a_formula_is_spoken_so_that_its_parts_can_be_told_apart(mathml: str, said: str) -> None:
+    assert Formula(f"<math>{mathml}</math>").spoken == said
 
 
 def test_a_prompt_stays_on_the_page_of_its_room() -> None:
