@@ -173,6 +173,12 @@ def draft_of(task_set: TaskSet) -> Draft:
     return Draft(title=task_set.title, items=items, rules=Rules.model_validate(task_set.rules), **moments)
 
 
+def says(task_set: TaskSet, course: Course, draft: Draft) -> bool:
+    """Tell whether a set is as a draft has it."""
+    made = _made(task_set.id, course, draft, task_set.revision, task_set.created)
+    return draft_of(made) == draft_of(task_set)
+
+
 def _iso(moment: datetime | None) -> str | None:
     return moment.isoformat() if moment else None
 

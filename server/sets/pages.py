@@ -119,6 +119,8 @@ def _loaded(form: Mapping[str, Any]) -> dict[str, Any]:
 async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, values: Mapping[str, str]) -> Response:
     """Give back what was typed into a draft that has changed meanwhile, with who changed what, to save or to let go."""
     found = await set_of(bench, reader, number)
+    if _done(reader, found, values):
+        return RedirectResponse(f"/sets/{number}", 303)
     titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await titles_of(bench, reader.language)
     stored = written(found, clock.zone(here(reader).course.time_zone))
     both = clash(reader.language, values, stored, titles)
@@ -129,6 +131,12 @@ async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, 
     told = {"clash": both, "who": who.name if who else None, "mine": mine}
     form = both.form if found.state == DRAFT else stored
     return await _builder(request, bench, reader, found, typed=form, told=told, status=409)
+
+
+def _done(reader: Reader, found: TaskSet, values: Mapping[str, str]) -> bool:
+    """Tell whether a task was added, moved or removed as is asked: the button was pressed twice."""
+    asked = any(values.get(name) for name in ("add", "move", "remove"))
+    return asked and building.says(found, here(reader).course, _checked(draft_of_form(values)))
 
 
 async def _unhindered(

@@ -141,6 +141,32 @@ def test_a_button_may_be_pressed_twice(course: Course, draft: str, pressed: str)
     assert (kept["title"], kept["state"] == "published") == ("Twice", pressed == "publish")
 
 
+@pytest.mark.parametrize(
+    ("button", "pools"),
+    [
+        ({"add": "four_bar"}, [EXERCISE, "planetary", "four_bar"]),
+        ({"add": EXERCISE, "title": "Twice", "slot.1.points": "2,5"}, [EXERCISE, "planetary", EXERCISE]),
+        ({"move": "2"}, ["planetary", EXERCISE]),
+        ({"remove": "1"}, ["planetary"]),
+    ],
+)
+def test_a_task_is_added_moved_or_removed_once_however_often_the_button_is_pressed(
+    course: Course, draft: str, button: dict[str, str], pools: list[str]
+) -> None:
+    saved(course.lecturer, draft, add="planetary")
+    form = fields(course.lecturer.get(draft).text) | button
+    replies = [course.lecturer.post(draft, data=form, headers=BROWSER, follow_redirects=False) for _ in range(3)]
+    assert [(reply.status_code, reply.headers["location"]) for reply in replies] == [(303, draft)] * 3
+    kept = course.lecturer.get(f"/api/v1/task-sets/{draft.rpartition('/')[2]}").json()
+    assert [item["pool"] for item in kept["items"]] == [[pool] for pool in pools]
+
+
+def test_a_task_that_is_added_to_a_draft_that_stands_otherwise_meets_a_clash(course: Course, draft: str) -> None:
+    form = fields(course.lecturer.get(draft).text) | {"add": "four_bar"}
+    saved(course.lecturer, draft, add="four_bar", title="In the other window")
+    assert posted(course.lecturer, draft, form | {"title": "Here"}).status_code == 409
+
+
 def test_what_is_asked_of_a_draft_that_was_saved_as_it_was_is_done(course: Course, draft: str) -> None:
     one = fields(course.lecturer.get(draft).text)
     saved(course.lecturer, draft)
