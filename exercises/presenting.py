@@ -22,7 +22,7 @@ from graders.language.text import text_of
 from graders.language.tree import Binary, Call, Name, Number, Tree, Unary, mapped
 from graders.language.tree import names as names_in
 from graders.units import read_unit
-from graders.words import common_hint, decimal, printed_unit, taken, tolerance
+from graders.words import comma, common_hint, decimal, printed_unit, taken, tolerance
 
 NUMBERS = {"quantity", "integer", "rational"}  # kinds whose answer is not the equation itself
 WITH_UNIT = {"quantity", "set"}  # kinds whose numbers may be typed with a unit of their own
@@ -199,7 +199,7 @@ def ladder(variant: Variant, answer: str, lang: str) -> tuple[Rung, ...]:
     named = names_in(tree)
     used = [symbol_mathml(name) for name in (*numbers(variant.givens), *solved.steps) if name in named]
     told = _told(variant, step, tree, lang) if used else {}
-    further = (Rung(kind, _equation(step, mathml_of(one, lang != "en"))) for one, kind in told.items())
+    further = (Rung(kind, _equation(step, mathml_of(one, comma(lang)))) for one, kind in told.items())
     return (Rung("follows", ", ".join(used)), *further) if used else ()
 
 
@@ -282,7 +282,7 @@ def solution(variant: Variant, lang: str) -> tuple[SolvedLine, ...]:
         )
         chosen = words.get("choices", {}).get(name, {})
         value = "; ".join(plain(chosen.get(part, part)) for part in value.split("; "))
-        formula = mathml_of(tree, lang != "en") if tree else ""
+        formula = mathml_of(tree, comma(lang)) if tree else ""
         heading = inline(indexed(words["steps"], name))
         lines.append(SolvedLine(heading, _equation(name, formula), f"{name} = {text_of(tree)}" if tree else "", value))
     return tuple(lines)

@@ -14,7 +14,9 @@ from graders.language.notes import Note
 from graders.remarks import Remark, Remarks
 from graders.verdict import Branches, Code, Entries, Flaws, Named, Reading, Verdict
 
-LANGUAGES = ("pl", "en", "ru")
+NAMES = {"pl": "polski", "en": "English", "ru": "русский"}  # of the languages, as each calls itself
+LANGUAGES = tuple(NAMES)
+POINT = frozenset({"en"})  # languages with a decimal point; the others have a comma
 MOST_REMARKS = 3  # read at once
 LOCALES = Path(__file__).parent / "locales"
 UNITS: Mapping[str, Mapping[str, str]] = {
@@ -47,7 +49,17 @@ def decimal(value: float, lang: str, figures: int = 5) -> str:
         raised = str(int(power)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
         digits = f"{digits}·10{raised}"
     digits = "0" if digits == "-0" else digits.replace("-", "−")
-    return digits if lang == "en" else digits.replace(".", ",")
+    return marked(digits, lang)
+
+
+def comma(lang: str) -> bool:
+    """Tell whether a language writes a decimal comma."""
+    return lang not in POINT
+
+
+def marked(number: str, lang: str) -> str:
+    """Write a number that has a point with the decimal mark of the language."""
+    return number.replace(".", ",") if comma(lang) else number
 
 
 def message(verdict: Verdict, lang: str, *, used: bool = False) -> str:

@@ -10,7 +10,7 @@ from graders.language import parse_line
 from graders.language.errors import AnswerSyntaxError
 from graders.language.mathml import mathml_of
 from graders.language.tree import Number, Tree, mapped
-from graders.words import decimal
+from graders.words import comma, decimal
 from reports.document import Formula, Line, line_from_html
 
 FIGURES = 5
@@ -57,7 +57,7 @@ def _row(text: str, language: str) -> Line:
         tree = mapped(parse_line(body), _rounded)
     except AnswerSyntaxError:
         return (_localised(text, language),)
-    return (_localised(head + colon, language), Formula(mathml_of(tree, language != "en")))
+    return (_localised(head + colon, language), Formula(mathml_of(tree, comma(language))))
 
 
 def _rounded(node: Tree) -> Tree:

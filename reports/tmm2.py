@@ -17,7 +17,7 @@ from graders import AnswerSyntaxError, Verdict
 from graders.language import Tree
 from graders.language.mathml import mathml_of, symbol_mathml
 from graders.polygon.drawn import Drawn
-from graders.words import printed_unit
+from graders.words import comma, printed_unit
 from reports.answers import before_answer
 from reports.document import (
     Beside,
@@ -153,7 +153,7 @@ class _Sheet:
     def _equations(self, trees: Sequence[Tree]) -> Iterator[Block]:
         """Equations of the polygon, one a line, with the outcome behind the last."""
         for at, tree in enumerate(trees, 1):
-            formula = Formula(mathml_of(tree, self.language != "en"))
+            formula = Formula(mathml_of(tree, comma(self.language)))
             yield Paragraph((formula,), aside=self._outcome("polygon") if at == len(trees) else "")
 
     def _plots(self) -> Iterator[Block]:
@@ -218,7 +218,7 @@ def _written(text: str) -> Iterator[Block]:
 
 def _understood(variant: Variant, name: str, text: str, language: str) -> list[Line]:
     """Give an answer as it was read, line by line; what could not be read, or is a text, stands as typed."""
-    echo = preview(variant, name, text, language != "en")
+    echo = preview(variant, name, text, comma(language))
     if isinstance(echo, Verdict) or not echo.mathml:
         return [(text.strip(),)]
     unit = printed_unit(echo.unit or "", language)

@@ -12,7 +12,7 @@ from exercises import grading
 from exercises.exercise import Variant
 from graders import Echo, Verdict
 from graders.verdict import Reading
-from graders.words import message, noted, printed_unit
+from graders.words import comma, message, noted, printed_unit
 from server.answering.echoes import breakable
 from server.answering.relations import relations
 from server.answering.variants import GONE, restored, visible
@@ -81,7 +81,7 @@ async def understood(bench: Bench, variant: Variant, answer: str, text: str, lan
         Refused: 422, no such answer is asked for.
     """
     try:
-        read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text, language != "en")
+        read: Echo | Verdict = await bench.judging.run(grading.preview, variant, answer, text, comma(language))
     except grading.UnknownAnswer:
         raise Refused(422, "unknown_answer", field="answer", name=printable(answer)) from None
     if isinstance(read, Verdict):

@@ -24,6 +24,7 @@ from graders import (
     SymbolicMatrix,
     Symbols,
 )
+from graders.words import comma
 from server.answering.previews import Understood, told
 from server.answering.workspace import HELPED
 from server.reader import Asking, admit
@@ -80,9 +81,9 @@ def examples(language: str) -> dict[str, tuple[Example, ...]]:
 def _read(samples: tuple[tuple[Grader, str], ...], language: str) -> Iterator[Example]:
     for judge, text in samples:
         typed = as_written(text, language)
-        yield Example(typed, told(judge.echo(judge.parse(typed, SYMBOLS), language != "en"), language))
+        yield Example(typed, told(judge.echo(judge.parse(typed, SYMBOLS), comma(language)), language))
 
 
 def as_written(text: str, language: str) -> str:
     """Write an example with the decimal sign of a language."""
-    return text if language == "en" else re.sub(r"(?<=\d)\.(?=\d)", ",", text)
+    return re.sub(r"(?<=\d)\.(?=\d)", ",", text) if comma(language) else text

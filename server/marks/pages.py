@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from graders import Code
+from graders.words import marked
 from server.answering import forms
 from server.answering.receipts import whole
 from server.courses.api import here
@@ -207,7 +208,7 @@ def _common(reader: Reader) -> dict[str, Any]:
 
 def _rounded(language: str, value: float, *, places: int) -> str:
     text = f"{value:.{places}f}"
-    return text if language == "en" else text.replace(".", ",")
+    return marked(text, language)
 
 
 def _signed(language: str, value: float) -> str:

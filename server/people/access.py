@@ -10,6 +10,7 @@ from fastapi import APIRouter, Depends, Request
 from pydantic import BaseModel, StrictBool
 from starlette.responses import RedirectResponse, Response
 
+from graders.words import comma
 from server.answering import forms
 from server.audit import acts
 from server.courses import api as courses
@@ -160,7 +161,7 @@ async def links_for_all(bench: Bench, reader: Reader) -> list[LinkFor]:
 def table(language: str, links: list[LinkFor]) -> bytes:
     """Write links as CSV for a spreadsheet of the language; no cell can become a formula."""
     written = io.StringIO()
-    writer: Any = csv.writer(written, delimiter="," if language == "en" else ";")
+    writer: Any = csv.writer(written, delimiter=";" if comma(language) else ",")
     heads = ("people.login", "people.name", "courses.group", "courses.invite")
     writer.writerow([say(language, head) for head in heads])
     cells = ((one.login or "", one.name, one.group or "", one.link) for one in links)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
+from graders.words import marked
 from server.sets.form import MOMENTS, POOL, flat, label, typed, unflat
 from server.web.language import words
 
@@ -113,7 +114,7 @@ def _called(language: str, part: str) -> str:
 def _marked(language: str, name: str, text: str) -> str:
     """Write numbers with the decimal mark of the language; a title keeps its own."""
     number = name.rpartition(".")[2] in NUMBERS
-    return text.replace(".", ",") if number and language != "en" else text
+    return marked(text, language) if number else text
 
 
 def _titled(text: str, name: str, titles: Mapping[str, str]) -> str:

@@ -8,6 +8,7 @@ from exercises import presenting
 from exercises.givens import domains
 from exercises.grading import reference
 from exercises.variants import MAX_SEED, deal
+from graders.words import marked
 from server.sets.dealing import Limits, within
 
 ROWS = 20
@@ -51,7 +52,7 @@ def preview(exercise: str, seed: int, language: str, table: bool, limits: Limits
 
 def _plain(value: float, language: str) -> str:
     text = f"{value:.4g}"
-    return text if language == "en" else text.replace(".", ",")
+    return marked(text, language)
 
 
 def _row(exercise: str, seed: int, language: str) -> Row:

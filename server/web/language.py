@@ -1,4 +1,4 @@
-"""Which of the three languages a reader is answered in, and every sentence the server says."""
+"""Which of the languages a reader is answered in, and every sentence the server says."""
 
 from __future__ import annotations
 
@@ -9,7 +9,9 @@ from importlib.resources import files
 
 from fastapi import Request
 
-LANGUAGES = ("pl", "en", "ru")
+from graders import words as spoken
+
+LANGUAGES = spoken.LANGUAGES
 DEFAULT = "en"
 COOKIE = "grubler_lang"
 LONGEST_HEADER = 200  # characters of Accept-Language that are read

@@ -12,6 +12,7 @@ from markupsafe import Markup, escape
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, Response
 
+from graders.words import NAMES, marked
 from server.sets import clock
 from server.web import language as languages
 
@@ -60,6 +61,7 @@ def page(
             number=partial(decimal, language),
             day=partial(clock.day_stamp, language),
             language=language,
+            spoken=NAMES,
             theme=theme,
             assets=request.app.state.assets,
             me=getattr(getattr(request.state, "reader", None), "person", None),
@@ -98,7 +100,7 @@ def counted(language: str, number: int, key: str) -> str:
 def decimal(language: str, value: float) -> str:
     """Write a number of points as a language does: at most three places."""
     text = f"{value:.3f}".rstrip("0").rstrip(".")
-    return text if language == "en" else text.replace(".", ",")
+    return marked(text, language)
 
 
 def plural(language: str, number: int) -> str:
