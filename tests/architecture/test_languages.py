@@ -8,7 +8,7 @@ from typing import get_args
 import pytest
 
 from cli import problems
-from graders.words import LANGUAGES, NAMES, POINT, comma, marked
+from graders.words import LANGUAGES, NAMES, POINT, UNITS, comma, marked
 from reports.docx import TAGS
 from server.courses.api import NewCourse
 from server.web import language
@@ -29,8 +29,8 @@ def test_every_room_speaks_the_same_languages() -> None:
 def test_what_cannot_read_the_list_agrees_with_it() -> None:
     assert problems.LANGUAGES == language.LANGUAGES == LANGUAGES == tuple(NAMES)
     assert get_args(NewCourse.model_fields["language"].annotation) == LANGUAGES
-    assert TAGS.keys() == NAMES.keys()
-    assert POINT < NAMES.keys()
+    assert TAGS.keys() == UNITS.keys() == NAMES.keys()
+    assert NAMES.keys() > POINT
 
 
 @pytest.mark.parametrize(("spoken", "mark"), [("pl", ","), ("en", "."), ("ru", ",")])

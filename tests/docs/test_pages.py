@@ -19,6 +19,8 @@ PAGES = sorted([*ROOT.glob("*.md"), *DOCS.rglob("*.md")])
 EXAMPLES = DOCS / "examples"
 TUTORIAL = (DOCS / "tutorial.md").read_text("utf-8")
 ROOMS = ("cli", "server", "reports", "exercises", "graders", "mechanics", "figures")
+HOUSE = ("tests", "docs", "benchmarks", "deploy", "changelog.d")
+MADE = {"deploy/.env", "tests/spellings/de.toml", "server/static/build/"}  # by who follows the page, or at a build
 
 
 def blocks(text: str, language: str) -> list[str]:
@@ -36,6 +38,13 @@ def test_each_link_leads_to_a_file(page: Path) -> None:
     links = [link.partition("#")[0] for link in re.findall(r"\]\(([^)\s]+)\)", page.read_text("utf-8"))]
     gone = [link for link in links if link and "://" not in link and not (page.parent / link).exists()]
     assert gone == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_each_path_that_is_named_exists(page: Path) -> None:
+    places = re.findall(rf"`((?:{'|'.join((*ROOMS, *HOUSE))})/[^`\s]*)`", page.read_text("utf-8"))
+    plain = [place for place in places if re.fullmatch(r"[\w./-]+", place) and place not in MADE]
+    assert [place for place in plain if not (ROOT / place).exists()] == []
 
 
 def commands() -> list[tuple[str, list[str]]]:
