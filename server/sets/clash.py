@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import groupby
 from typing import Any
 
 from graders.words import marked
-from server.sets.form import MOMENTS, POOL, flat, label, typed, unflat
+from server.sets.aligning import POOL, Aligned, Fields, aligned, pools, task_of
+from server.sets.form import MOMENTS, flat, label, typed, unflat
 from server.web.language import words
 
-Fields = Mapping[str, str]
 NUMBERS = frozenset({"points", "attempts", "limits", "late_loss", "hint_price", "follow_through", "minutes"})
-LIST = "list"  # names all tasks together
+LIST = "list"  # names which tasks there are, and their order
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,16 +51,30 @@ def clash(language: str, values: Mapping[str, str], stored: Mapping[str, Any], t
         stored: The values of the form for the set as it is stored now.
         titles: Of sets and of exercises, by number and by id.
     """
-    base, mine, theirs = _base(values.get("base", "")), flat(typed(values)), flat(stored)
-    parts = _parts(base, mine, theirs)
-    own = {part for part in parts if not _same(part, mine, base)}
+    loaded, posted, theirs = _base(values.get("base", "")), flat(typed(values)), flat(stored)
+    places = aligned(loaded if pools(loaded) else posted, theirs)
+    base, mine = _still_there(places, places.renumbered(loaded), places.renumbered(posted))
+    parts = list(dict.fromkeys([*theirs, *mine]))
+    own = {part for part in parts if task_of(part) in places.gone or not _same(part, mine, base)}
     other = [part for part in parts if not _same(part, theirs, base)]
     apart = [part for part in parts if part in own and not _same(part, mine, theirs)]
     told = {p: Row(_called(language, p), *(_said(language, p, one, titles) for one in (theirs, mine))) for p in apart}
-    merged = {name: text for part in parts for name, text in _of(part, mine if part in own else theirs).items()}
+    merged = {part: (mine if part in own else theirs).get(part, "") for part in parts}
     form = unflat(merged) | {name: stored[name] for name in ("revision", "base")} | {"add": values.get("add", "")}
-    taken = tuple(_called(language, part) for part in other if part not in own)
-    return Clash(form, taken, tuple(told[part] for part in apart if part in other), tuple(told.values()))
+    taken = [part for part in other if part not in own and task_of(part) not in places.new]
+    known = tuple(_called(language, part) for part in ([LIST] if places.moved else []) + taken)
+    rows = {part: row for part, row in told.items() if row.stored != row.typed}
+    return Clash(
+        form, known, tuple(rows[part] for part in apart if part in other and part in rows), tuple(rows.values())
+    )
+
+
+def _still_there(places: Aligned, base: Fields, mine: Fields) -> tuple[Fields, Fields]:
+    """Let go of the tasks that the other one has removed and in which nothing was typed here."""
+    typed_in = {task_of(name) for name in mine if not _same(name, mine, base)}
+    idle = places.gone - typed_in
+    kept = [{name: text for name, text in one.items() if task_of(name) not in idle} for one in (base, mine)]
+    return kept[0], kept[1]
 
 
 def _base(text: str) -> Fields:
@@ -73,35 +86,22 @@ def _base(text: str) -> Fields:
     return {str(name): str(value) for name, value in found.items()} if isinstance(found, dict) else {}
 
 
-def _parts(base: Fields, mine: Fields, theirs: Fields) -> list[str]:
-    """Name what is compared: each field, and all tasks together where they are not the same tasks any more."""
-    if _pools(base) == _pools(mine) == _pools(theirs):
-        return list(dict.fromkeys([*theirs, *mine]))
-    return [*(name for name in theirs if not name.startswith("slot.")), LIST]
-
-
-def _pools(fields: Fields) -> list[str]:
-    return [text for name, text in fields.items() if name.endswith(POOL)]
-
-
-def _of(part: str, fields: Fields) -> dict[str, str]:
-    if part == LIST:
-        return {name: text for name, text in fields.items() if name.startswith("slot.")}
-    return {part: fields[part]} if part in fields else {}
-
-
 def _same(part: str, one: Fields, other: Fields) -> bool:
-    """Tell whether two forms say the same; a number may be written in more than one way."""
-    return {name: _plain(text) for name, text in _of(part, one).items()} == {
-        name: _plain(text) for name, text in _of(part, other).items()
-    }
+    """Tell whether two forms say the same in a field; a number may be written in more than one way."""
+    return _plain(part, one.get(part)) == _plain(part, other.get(part))
 
 
-def _plain(text: str) -> str | float:
+def _plain(part: str, text: str | None) -> str | float | None:
+    if text is None or not _is_number(part):
+        return text and " ".join(text.split())
     try:
         return float(text.replace(",", "."))
     except ValueError:
-        return " ".join(text.split())
+        return " ".join(text.replace(",", ".").split())
+
+
+def _is_number(part: str) -> bool:
+    return part.rpartition(".")[2] in NUMBERS
 
 
 def _called(language: str, part: str) -> str:
@@ -113,8 +113,7 @@ def _called(language: str, part: str) -> str:
 
 def _marked(language: str, name: str, text: str) -> str:
     """Write numbers with the decimal mark of the language; a title keeps its own."""
-    number = name.rpartition(".")[2] in NUMBERS
-    return marked(text, language) if number else text
+    return marked(text, language) if _is_number(name) else text
 
 
 def _titled(text: str, name: str, titles: Mapping[str, str]) -> str:
@@ -123,12 +122,8 @@ def _titled(text: str, name: str, titles: Mapping[str, str]) -> str:
 
 
 def _said(language: str, part: str, fields: Fields, titles: Mapping[str, str]) -> str:
-    """Say what stands in a field, or in all tasks, as the page does."""
-    found = {name: _titled(_marked(language, name, text), name, titles) for name, text in _of(part, fields).items()}
-    if part == LIST:
-        tasks = groupby(found.items(), key=lambda one: one[0].split(".")[1])
-        return "; ".join(" ".join(filter(None, (text for _, text in texts))) for _, texts in tasks) or "—"
-    text = found.get(part, "")
+    """Say what stands in a field as the page does."""
+    text = _titled(_marked(language, part, fields.get(part, "")), part, titles)
     if part in MOMENTS:
         text = text.replace("T", " ")
     return words(language).get(f"sets.{part}_{text}", titles.get(text, text)) or "—"

@@ -8,6 +8,7 @@ from typing import Any
 from zoneinfo import ZoneInfo
 
 from exercises import catalogue
+from graders.words import marked
 from server.answering.forms import Form
 from server.sets.building import MOST_SLOTS
 from server.sets.clock import local
@@ -27,8 +28,8 @@ OF_SET = (
 )  # fmt: skip
 
 
-def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
-    """Give the values of the form for a set."""
+def written(task_set: TaskSet, place: ZoneInfo, language: str) -> dict[str, Any]:
+    """Give the values of the form for a set; limits are a text, with the decimal mark of the language."""
     moments = {name: getattr(task_set, name) for name in MOMENTS}
     slots = [
         {
@@ -36,7 +37,7 @@ def written(task_set: TaskSet, place: ZoneInfo) -> dict[str, Any]:
             "pool": " ".join(_by_chapter(slot.pool)),
             "points": slot.points,
             "attempts": slot.attempts or "",
-            "limits": "; ".join(" ".join((name, *map(_number, ends))) for name, ends in slot.limits.items()),
+            "limits": _limited(slot.limits, language),
         }
         for slot in task_set.slots
     ]
@@ -176,8 +177,12 @@ def _item(values: Mapping[str, str], number: int, at: int) -> dict[str, Any]:
     }
 
 
-def _number(value: float) -> str:
-    return repr(float(value)).removesuffix(".0")
+def _limited(limits: Mapping[str, tuple[float, float]], language: str) -> str:
+    return "; ".join(" ".join((name, *(_number(end, language) for end in ends))) for name, ends in limits.items())
+
+
+def _number(value: float, language: str) -> str:
+    return marked(repr(float(value)).removesuffix(".0"), language)
 
 
 def _limits(text: str, field: str) -> dict[str, list[str]]:

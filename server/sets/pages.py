@@ -90,7 +90,7 @@ async def _save(request: Request, bench: Bench, reader: Reader, old: TaskSet, va
     kept = typed(values)
     try:
         new = await _changed(bench, reader, old, values)
-        old, kept = new, kept | _loaded(written(new, clock.zone(here(reader).course.time_zone)))
+        old, kept = new, kept | _loaded(written(new, clock.zone(here(reader).course.time_zone), reader.language))
         job = await published(bench, reader, new, PATIENCE) if values.get("then") == "publish" else None
     except Refused as refused:
         if not wants_page(request):
@@ -122,7 +122,7 @@ async def _clashed(request: Request, bench: Bench, reader: Reader, number: str, 
     if _done(reader, found, values):
         return RedirectResponse(f"/sets/{number}", 303)
     titles = {one.id: one.title for one in await bench.sets.of(found.course)} | await titles_of(bench, reader.language)
-    stored = written(found, clock.zone(here(reader).course.time_zone))
+    stored = written(found, clock.zone(here(reader).course.time_zone), reader.language)
     both = clash(reader.language, values, stored, titles)
     if not both.mine and not both.theirs:  # one button pressed twice, or a draft that was saved as it was
         return await _unhindered(request, bench, reader, found, values)
@@ -257,7 +257,7 @@ async def _builder(
     unfit = refused or (await building.unfit(bench, found) if found.state == DRAFT else None)
     context = {
         "task_set": found,
-        "written": typed or written(found, place),
+        "written": typed or written(found, place, reader.language),
         "problem": problem(reader.language, unfit, titles) if unfit else None,
         "wait": None,
         "scarce": await building.scarcely(bench, found) if found.state == DRAFT and not unfit else (),

@@ -51,24 +51,55 @@ def test_numbers_are_told_with_the_decimal_mark_of_the_reader(language: str, poi
     mine = form(title="Set 2.5", slot__1__points="3", slot__1__limits="l1 0.05 0.09")
     found = clash(language, mine | {"base": dumps(form())}, unflat(theirs) | {"revision": 3, "base": "{}"}, {})
     assert [row.stored for row in found.both] == ["Set 1.5", points, limits]
-    moved = unflat(form(slot__1__pool="b", slot__1__points="2.5", slot__2__pool="a")) | {"revision": 3, "base": "{}"}
-    assert clash(language, mine | {"base": dumps(form())}, moved, {}).both[-1].stored == f"b {points}; a"
 
 
-def test_tasks_that_were_moved_or_added_are_taken_as_a_whole() -> None:
-    moved = form(slot__1__pool="b", slot__2__pool="a")
+def test_a_number_with_another_decimal_mark_is_no_change() -> None:
+    base = form(slot__1__limits="l1 0.05 0.08", slot__1__points="2.5")
+    theirs = base | {"title": "Theirs"}
+    found = met(base, form(slot__1__limits="l1 0,05  0,08", slot__1__points="2,50"), theirs)
+    assert found.theirs == ("Title of the set",) and found.mine == ()
+    assert flat(found.form) == theirs
+
+
+def test_tasks_that_were_moved_take_with_them_what_was_typed_in_them() -> None:
+    moved = form(slot__1__pool="b", slot__1__points="", slot__2__pool="a", slot__2__points="1")
     assert flat(met(form(), form(title="Mine"), moved).form) == {**moved, "title": "Mine"}
-    mine = form(slot__1__points="2")
-    found = met(form(), mine, moved)
-    assert flat(found.form) == mine
-    assert found.both == (Row("Tasks", "b 1; a", "a 2; b"),)
+    found = met(form(), form(slot__1__points="2", slot__2__attempts="3"), moved)
+    assert flat(found.form) == {**moved, "slot.2.points": "2", "slot.1.attempts": "3"}
+    assert (found.both, found.theirs) == ((), ("Tasks",))
+
+
+def test_only_the_task_that_both_changed_is_asked_about_though_the_tasks_have_moved() -> None:
+    theirs = form(slot__1__pool="c", slot__1__points="", slot__2__pool="a", slot__2__points="5", slot__3__pool="b")
+    found = met(form(), form(slot__1__points="2", slot__2__limits="l1 1 2"), unflatted(theirs))
+    assert found.both == (Row("Task 2, Points", "5", "2"),)
+    assert flat(found.form) == {**unflatted(theirs), "slot.2.points": "2", "slot.3.limits": "l1 1 2"}
+
+
+def test_a_task_that_the_other_one_removed_goes_unless_something_was_typed_in_it() -> None:
+    removed = {name: text for name, text in form(title="Theirs").items() if not name.startswith("slot.2.")}
+    assert flat(met(form(), form(minutes="45"), removed).form) == {**removed, "minutes": "45"}
+    found = met(form(), form(slot__2__points="4"), removed)
+    assert flat(found.form) == form(title="Theirs", slot__2__points="4")
+    assert Row("Task 2, Points", "—", "4") in found.both
+
+
+def test_exercises_that_one_side_chose_anew_stay_with_their_task() -> None:
+    found = met(form(), form(slot__2__pool="b c"), form(slot__1__pool="d", slot__2__attempts="3"))
+    assert flat(found.form) == form(slot__1__pool="d", slot__2__pool="b c", slot__2__attempts="3")
+    assert found.both == ()
+
+
+def unflatted(fields: dict[str, str]) -> dict[str, str]:
+    """All fields of a form of which some were named."""
+    return flat(unflat(fields))
 
 
 def test_a_pool_is_told_by_the_titles_of_its_exercises() -> None:
     stored = unflat(form(slot__1__pool="a c")) | {"revision": 3, "base": "{}"}
     mine = form(slot__1__pool="b") | {"base": dumps(form())}
     found = clash("en", mine, stored, {"a": "Four-bar", "b": "Beam"})
-    assert found.both == (Row("Tasks", "Four-bar, c 1; Beam", "Beam 1; Beam"),)
+    assert found.both == (Row("Task 1, Exercises of the catalogue", "Four-bar, c", "Beam"),)
 
 
 def test_without_what_was_loaded_all_that_differs_is_shown_and_what_was_typed_stays() -> None:

@@ -486,3 +486,18 @@ def test_the_builder_tells_how_many_steps_each_exercise_has(course: Course) -> N
     page = course.lecturer.get(f"{path}?lang=en").text
     assert re.search(r'value="four_bar"><span>[^<]*<small class="quiet nowrap">steps: 14</small>', page)
     assert re.search(r'value="gear_train"><span>[^<]*<small class="quiet nowrap">steps: 4–5</small>', page)
+
+
+@pytest.mark.parametrize(("language", "shown"), [("pl", "0,05 0,08"), ("ru", "0,05 0,08"), ("en", "0.05 0.08")])
+def test_limits_are_written_with_the_decimal_mark_of_the_language_and_read_with_either(
+    course: Course, language: str, shown: str
+) -> None:
+    path = started(course)
+    saved(course.lecturer, path, add=EXERCISE)
+    for typed in ("l1 0,05 0,08", "l1 0.05 0.08"):
+        saved(course.lecturer, path, **{"slot.1.limits": typed})
+        form = fields(course.lecturer.get(f"{path}?lang={language}").text)
+        assert form["slot.1.limits"] == f"l1 {shown}"
+        assert course.lecturer.post(f"{path}?lang={language}", data=form).status_code == 303
+        kept = course.lecturer.get(f"/api/v1/task-sets/{path.rpartition('/')[2]}").json()
+        assert kept["items"][0]["limits"] == {"l1": [0.05, 0.08]}
