@@ -87,8 +87,9 @@ class _Meaning:
         """Give the polygon's name and how often it is differentiated, None where it is not clear."""
         if depth > 4:
             return None
-        if name in self.said:
-            return self.of(self.said[name], depth + 1)
+        found = self.of(self.said[name], depth + 1) if name in self.said else None
+        if found:
+            return found
         if name in self.ties:
             return self.ties[name]
         if name in self.named.rows[0]:
@@ -108,6 +109,11 @@ class _Meaning:
         placed = [own for own in self.places if what == "length" and index and index in _below(own)]
         chosen = next((one for one in (same, placed) if len(one) == 1), fitting)
         return (chosen[0], order) if len(chosen) == 1 else None
+
+
+def _either_way(said: Sequence[tuple[str, str]]) -> dict[str, str]:
+    """Give what was said of names; `W = omega2` says of either that it is the other."""
+    return {other: name for name, other in said if "_d" not in other} | dict(said)
 
 
 def _indexed(name: str) -> tuple[str, str]:
@@ -158,7 +164,7 @@ def verdict(answer: Differentiated, mechanism: Mechanism, order: int) -> Verdict
     judged, places = judge(drawn, mechanism.alone()), tuple(name for name, _, _ in mechanism.places)
     check = _Check(
         judged,
-        _Meaning(judged.named, dict(answer.said), judged.named.unknowns(drawn), places),
+        _Meaning(judged.named, _either_way(answer.said), judged.named.unknowns(drawn), places),
         order,
     )
     outcomes = [check.equation(equation) for equation in answer.equations]

@@ -51,6 +51,11 @@ FORMS = {
                         "y: l1*omega1*cos(alpha1) + l2*W*cos(alpha2) = 0"),
     "said the other way round": (1, None, "alpha2_d = W\nx: -l1*omega1*sin(alpha1) - l2*W*sin(alpha2) = v3\n"
                                  "y: l1*omega1*cos(alpha1) + l2*W*cos(alpha2) = 0"),
+    "another name of a usual letter": (1, None, "W = omega2\nx: -l1*omega1*sin(alpha1) - l2*W*sin(alpha2) = v3\n"
+                                       "y: l1*omega1*cos(alpha1) + l2*omega2*cos(alpha2) = 0"),
+    "a name that says nothing of a usual letter": (1, None, "W_d = omega2\nx: -l1*omega1*sin(alpha1)"
+                                                   " - l2*omega2*sin(alpha2) = v3\n"
+                                                   "y: l1*omega1*cos(alpha1) + l2*omega2*cos(alpha2) = 0"),
     "the polygon's own names": (1, REVERSED, "x: -l1*omega1*sin(alpha1) = -l2*phi_d*sin(phi) + x_C_d\n"
                                 "y: l1*omega1*cos(alpha1) = l2*phi_d*cos(phi)"),
     "the only angle and the only length": (1, REVERSED, "x: -l1*omega1*sin(alpha1) = -l2*omega2*sin(phi) + v\n"
@@ -188,6 +193,13 @@ def test_the_sign_of_one_projection_is_followed() -> None:
     slip = SLIDER.polygon.replace("+ l2*sin(alpha2)", "- l2*sin(alpha2)")
     text = SV.replace("+ l2*omega2*cos", "- l2*omega2*cos")
     assert judged(text, 1, polygon=slip).code is Code.FOLLOWED
+
+
+@pytest.mark.parametrize(("order", "own"), [(1, "v3*omega1 + l3*epsilon1"), (2, "a3*omega1 + 2*v3*epsilon1")])
+def test_an_own_projection_that_holds_a_rate_of_the_task_is_followed(order: int, own: str) -> None:
+    slip = SLIDER.polygon.replace("cos(alpha2) - l3 = 0", "cos(alpha2) = l3*omega1")
+    text = SV.replace("- v3 = 0", f"= {own}") if order == 1 else SA.replace("- a3 = 0", f"= {own}")
+    assert judged(text, order, polygon=slip).code is Code.FOLLOWED
 
 
 def test_equations_of_another_order_are_not_enough() -> None:

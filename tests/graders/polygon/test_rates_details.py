@@ -5,8 +5,7 @@ Mutants of the judge that live on change nothing that can be seen:
 * words cut from the right, one state or row of names for another, digits beside letters that end no name; a tie that is
   off by just as much as is allowed, lengths that are not compared where they are the same;
 * rates of values that are not derived; another state at which slopes are taken, one that is never reached; how many
-  pairs of slips are tried;
-* free values of the rates that the task gives: no polygon of a test holds them.
+  pairs of slips are tried; what is no rate of anything, whatever it is called.
 """
 
 from __future__ import annotations
