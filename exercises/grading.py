@@ -237,9 +237,11 @@ class Seen:
         return self._is(name, wanted)
 
     def missed(self, expected: Mapping[str, Any]) -> list[str] | None:
-        """Give the wrong answers that a slip does not predict; None where it predicts none, or another one wrongly."""
+        """Give the wrong answers that a slip does not predict; None where it predicts none, or a right one wrongly."""
         hits = {name for name in self.off if self.predicted(name, expected)}
-        if not hits or not all(name in self.off or self.predicted(name, expected) for name in self.given):
+        verdicts = self.judged.verdicts
+        bound = [name for name in self.given if name not in self.off and verdicts[name].code is not Code.FOLLOWED]
+        if not hits or not all(self.predicted(name, expected) for name in bound):
             return None
         return [name for name in self.given if name in self.off and name not in hits]
 

@@ -28,7 +28,7 @@ def _throughout(line: Tree) -> Iterator[Changed]:
     """Change every sine, or every occurrence of a name."""
     yield CommonSlip.SINE_COSINE, mapped(line, _turned)
     yield CommonSlip.FACTOR_LOST, mapped(line, _unprojected)
-    for stem in {name.rstrip("0123456789") for name in names(line)}:
+    for stem in sorted({name.rstrip("0123456789") for name in names(line)}):
         yield CommonSlip.FACTOR_LOST, mapped(line, _without(stem))
     entries = dict.fromkeys(node for node in walk(line) if isinstance(node, Index))
     for entry, second in combinations(entries, 2):

@@ -87,6 +87,19 @@ def test_what_does_not_follow_from_a_common_slip_beside_a_known_one_is_not_expla
     assert (found.mistake, found.slip) == (None, None)
 
 
+@pytest.mark.parametrize(("off", "slip"), [(2.0, CommonSlip.FACTOR_TWO), (0.5, CommonSlip.FACTOR_TWO), (1.37, None)])
+def test_what_follows_from_a_common_slip_beside_a_known_one_contradicts_neither(
+    off: float, slip: CommonSlip | None
+) -> None:
+    values = solved(CRANK).again(replaced=LOST_MINUS)
+    assert isinstance(values["omega2"], float)
+    typed = shown(CRANK, values, "alpha2", "l3")
+    own = solved(CRANK).again(replaced=LOST_MINUS, fixed={"omega2": off * values["omega2"]})
+    found = handed_in(CRANK, **typed, omega2=f"{own['omega2']} rad/s", v3=f"{own['v3']} m/s")
+    assert found.verdicts["v3"].code is Code.FOLLOWED
+    assert (found.mistake, found.slip) == ("lost_minus" if slip else None, slip)
+
+
 # a line, a given
 
 
