@@ -37,6 +37,7 @@ class Meaning(StrEnum):
     """What a column holds for us."""
 
     LOGIN = "login"
+    SURNAME = "surname"
     NAME = "name"
     GROUP = "group"
     UNUSED = "unused"
@@ -62,7 +63,7 @@ def understood(cells: Sequence[str]) -> tuple[Column, ...] | None:
     if login is None or not parts:
         return None
     group = next((at for at, name in enumerate(names) if GROUP.match(name)), None)
-    meant = {**dict.fromkeys(parts, Meaning.NAME), login: Meaning.LOGIN}
+    meant = {**parts, login: Meaning.LOGIN}
     if group is not None:
         meant.setdefault(group, Meaning.GROUP)
     return tuple(Column(at + 1, printable(cell), meant.get(at, Meaning.UNUSED)) for at, cell in enumerate(cells))
@@ -73,12 +74,13 @@ def is_login(heading: str) -> bool:
     return _plain(heading) in INDEX | LOGIN | EMAIL
 
 
-def _name(names: Sequence[str]) -> list[int]:
-    """Find the columns that make up a name, in the order of the file."""
+def _name(names: Sequence[str]) -> dict[int, Meaning]:
+    """Find the columns that make up a name; a surname in a column of its own comes first in it, wherever it stands."""
     last, whole = _among(names, LAST), _among(names, FULL)
     if whole or not last:
-        return (whole or _among(names, ALONE))[:1]
-    return sorted([*last[:1], *_among(names, FIRST)[:1], *_among(names, FURTHER)[:1]])
+        return dict.fromkeys((whole or _among(names, ALONE))[:1], Meaning.NAME)
+    given = (*_among(names, FIRST)[:1], *_among(names, FURTHER)[:1])
+    return {last[0]: Meaning.SURNAME, **dict.fromkeys(given, Meaning.NAME)}
 
 
 def _among(names: Iterable[str], known: Collection[str]) -> list[int]:

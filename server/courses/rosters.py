@@ -171,7 +171,7 @@ def _row(cells: Sequence[str], columns: Sequence[Column]) -> Row:
     if any(cells[len(columns) :]):
         raise Refused(422, "many_columns" if columns is IN_ORDER else "surplus_cells")
     login = login_of(_held(cells, columns, Meaning.LOGIN))
-    name = name_of(_held(cells, columns, Meaning.NAME))
+    name = name_of(" ".join(filter(None, (_held(cells, columns, one) for one in (Meaning.SURNAME, Meaning.NAME)))))
     group = _held(cells, columns, Meaning.GROUP)
     if group and (len(group) > MOST_GROUP or not group.isprintable() or group[0] in "=+-@"):
         raise Refused(422, "bad_group")

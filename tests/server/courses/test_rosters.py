@@ -89,7 +89,7 @@ def test_an_export_is_read_by_its_headings_and_what_is_left_out_is_told() -> Non
         ("3003", "Krótki", ""),
     ]
     assert read.unread == (rosters.Unread(8, "twice_in_roster", 5), rosters.Unread(10, "surplus_cells"))
-    assert meant(read) == {"unused": [1, 6, 7], "login": [2], "name": [3, 4, 5], "group": [8]}
+    assert meant(read) == {"unused": [1, 6, 7], "login": [2], "surname": [3], "name": [4, 5], "group": [8]}
     assert read.above == (1, 2)
 
 
@@ -101,7 +101,16 @@ def test_an_export_is_read_by_its_headings_and_what_is_left_out_is_told() -> Non
             ("18-204", "Ёлкина Юлия Олеговна", "МТ-31"),
             {"unused": [1, 5], "group": [2], "name": [3], "login": [4]},
         ),
-        (REGISTRY, ("300412", "Ann O'Neil, Jr", "Mon"), {"name": [1, 2], "login": [3], "unused": [4], "group": [5]}),
+        (
+            REGISTRY,
+            ("300412", "O'Neil, Jr Ann", "Mon"),
+            {"name": [1], "surname": [2], "login": [3], "unused": [4], "group": [5]},
+        ),
+        (
+            "Имя;Отчество;Фамилия;Номер\nЮлия;Олеговна;Ёлкина;18-204\n",
+            ("18-204", "Ёлкина Юлия Олеговна", ""),
+            {"name": [1, 2], "surname": [3], "login": [4]},
+        ),
         ("e-mail;name\na@b.pl;Ann\n", ("a@b.pl", "Ann", ""), {"login": [1], "name": [2]}),
         ("3001;Ann;B\n", ("3001", "Ann", "B"), {"login": [1], "name": [2], "group": [3]}),
         ("3001;Ann\n", ("3001", "Ann", ""), {"login": [1], "name": [2]}),
@@ -125,7 +134,8 @@ def test_the_preview_says_what_is_read_from_which_column(school: School) -> None
     lecturer = school.browser("lecturer")
     _, page = send(lecturer, school, USOS.encode("cp1250"))
     page = " ".join(unescape(re.sub(r"<[^>]+>", " ", page)).split())
-    assert "Index number or e-mail 2 (Nr albumu) " in page and "Name 3 (Nazwisko), 4 (Imię), 5 (Drugie imię) " in page
+    assert "Index number or e-mail 2 (Nr albumu) " in page and "Name 4 (Imię), 5 (Drugie imię) " in page
+    assert "Surname (comes first in the name) 3 (Nazwisko) " in page
     assert "Not used 1 (Lp.), 6 (E-mail), 7 (Kierunek)" in page
     assert "Lines left out above the headings: 1, 2." in page
     told = lecturer.post(f"/api/v1/courses/{school.course}/roster", json={"csv": USOS}).json()
