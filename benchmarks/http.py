@@ -31,8 +31,8 @@ from benchmarks.stores import KINDS, cpu, settings, stores
 from exercises import grading
 from exercises.exercise import Grade, Submission
 from exercises.variants import deal
-from server.answering.judging import JudgingThread
 from server.app import create_app
+from server.judging.process import JudgingProcess
 from server.run import Announced
 from tests.server.stores import free_port
 
@@ -41,8 +41,8 @@ SEED = 7
 TYPED = {"omega2_formula": "-omega1*cos(alpha1)*l1/(cos(alpha2)*l2)"}  # right, and not letter by letter the reference
 
 
-class NoGrading(JudgingThread):
-    """The no-op: a grade made beforehand, handed over without a thread."""
+class NoGrading(JudgingProcess):
+    """The no-op: a grade made beforehand, handed over without asking the judge."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ SLIP = {"l3": "-1 mm"}
 def serve(port: int, graded: bool) -> None:
     """Serve in this process."""
     told = replace(settings(os.environ), port=port, limited=False)
-    app = create_app(told, judging=None if graded else NoGrading())
+    app = create_app(told, judging=JudgingProcess() if graded else NoGrading())
     server = Announced(uvicorn.Config(app, port=port, log_level="warning", access_log=False, server_header=False))
     server.address = f"port {port}"
     server.run()

@@ -27,12 +27,12 @@ from sqlalchemy import insert
 
 from exercises import catalogue, verifying
 from exercises.variants import deal, dump
-from server.answering.judging import JudgingThread
 from server.database import Database, regrades
 from server.database.engine import engine
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
+from server.judging.thread import JudgingThread
 from server.migrate import migrate
 from server.regrading import job as regrade
 from server.regrading.replay import Lot, replay

@@ -16,7 +16,6 @@ from starlette.routing import Mount
 from exercises import catalogue
 from server import policy
 from server.answering import drafts, hints, pages, previews, problems, reports, submissions, typing_page, variants
-from server.answering.judging import Judging, JudgingThread
 from server.audit import api as audit
 from server.audit import pages as audit_pages
 from server.catalogue import api as exercise_api
@@ -30,6 +29,8 @@ from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
 from server.jobs.streams import Streams
 from server.jobs.working import Bureau
+from server.judging.judging import Judging
+from server.judging.thread import JudgingThread
 from server.marks import api as marks
 from server.marks import pages as mark_pages
 from server.people import access, account_pages, everybody, everybody_pages, oidc_pages, personal, signin_pages
@@ -166,6 +167,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         settings, database.practice, judging, secret, app.state.assets, Limiter(), database.people, database.courses,
         passwords, database.sets, database.audit, database.jobs, engine, database.personal, database.marks, Streams(),
     )  # fmt: skip
+    judging.begin()
     await _purge(database.practice, database.jobs)
     purging = asyncio.create_task(_purge_daily(database.practice, database.jobs))
     collecting = asyncio.create_task(_collect(app.state.bench))

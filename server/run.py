@@ -13,11 +13,12 @@ import uvicorn
 from sqlalchemy.exc import SQLAlchemyError
 
 from server import migrate as migrations
-from server.answering.judging import JudgingThread
 from server.app import create_app
 from server.database import Database, secret_of
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
+from server.judging.process import JudgingProcess
+from server.judging.thread import JudgingThread
 from server.people import accounts, tokens
 from server.regrading import command
 from server.settings import Settings, SettingsError, check
@@ -41,9 +42,10 @@ def serve(settings: Settings) -> None:
         migrate(settings)
     elif not _current(settings):
         raise SettingsError("the database lacks migrations: run `grubler migrate` first")
+    app = create_app(settings, judging=JudgingProcess(log=settings.log))
     config = uvicorn.Config(
-        create_app(settings), host=settings.host, port=settings.port, log_level="warning", access_log=False,
-        server_header=False, proxy_headers=False, log_config=None, timeout_graceful_shutdown=GRACE,
+        app, host=settings.host, port=settings.port, log_level="warning", access_log=False, server_header=False,
+        proxy_headers=False, log_config=None, timeout_graceful_shutdown=GRACE,
     )  # fmt: skip
     server = Announced(config)
     server.address = settings.address

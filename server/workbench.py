@@ -7,9 +7,9 @@ from typing import Annotated
 
 from fastapi import Depends, Request
 
-from server.answering.judging import Judging
 from server.jobs.engine import Engine
 from server.jobs.streams import Streams
+from server.judging.judging import Judging
 from server.people.passwords import Passwords
 from server.settings import Settings
 from server.storage import Storage

@@ -8,8 +8,8 @@ from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, nullcontext, suppress
 from dataclasses import dataclass
 
-from server.answering.judging import Judging
 from server.jobs.tally import Tally, tallied
+from server.judging.judging import Judging
 from server.storage import StorageUnavailable
 from server.storage.jobs import Batch, Fenced, Jobs, Kind
 

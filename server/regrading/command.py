@@ -7,12 +7,12 @@ from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
 from typing import Any
 
-from server.answering.judging import JudgingThread
 from server.audit.acts import COMMAND_LINE
 from server.database import Database, secret_of
 from server.jobs.engine import Engine
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau
+from server.judging.thread import JudgingThread
 from server.regrading import job as regrade
 from server.settings import Settings, SettingsError
 from server.storage.jobs import Busy, Job

@@ -12,8 +12,8 @@ from typing import Any
 from exercises import catalogue, verifying
 from exercises.exercise import Submission
 from exercises.variants import restore
-from server.answering.judging import graded_as_asked
 from server.answering.receipts import GRADE, whole
+from server.judging.judging import graded_as_asked
 from server.regrading.difference import Effect, difference
 from server.sets.rules import Rules, valued
 from server.storage import Answers

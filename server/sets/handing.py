@@ -11,11 +11,12 @@ from time import monotonic
 
 from exercises import verifying
 from exercises.exercise import Grade, Submission, Variant
-from exercises.grading import UnknownAnswer
+from exercises.grading import UnknownAnswer, failed
 from exercises.variants import restore
 from graders import Code
 from server.answering import receipts
-from server.answering.judging import graded_as_asked
+from server.bench import Bench
+from server.judging.judging import JudgingEnded, graded_as_asked
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
 from server.storage import KeyReused, Marked, Problem
@@ -172,7 +173,10 @@ async def judge(bench: Bench, place: Place, submission: Submission, *, whole: bo
     """
     begun = monotonic()
     limited = place.slot.attempts is not None and not whole
-    grade, sound = await bench.judging.run(_judged, place.card, submission, bench.secret, limited)
+    try:
+        grade, sound = await bench.judging.run(_judged, place.card, submission, bench.secret, limited)
+    except JudgingEnded:
+        grade, sound = failed(submission), True
     if is_exam(place) and not whole:
         await asyncio.sleep(begun + EXAM_SECONDS - monotonic())
     return valued(grade, weights_of(place.card), rules_of(place.task_set)), sound

@@ -12,6 +12,7 @@ from pydantic import BaseModel
 from starlette.exceptions import HTTPException as StarletteHTTPException
 from starlette.responses import JSONResponse, RedirectResponse, Response
 
+from server.judging.judging import JudgingEnded
 from server.storage import KeyReused, StorageUnavailable, UnknownVariant
 from server.web import language, retained, templating, typed
 
@@ -59,10 +60,10 @@ class Refused(HTTPException):
 
 
 def install(app: FastAPI) -> None:
-    """Answer every refusal and every failure of the store in the one shape."""
+    """Answer every refusal, and every failure of the store and of the judging, in the one shape."""
     app.add_exception_handler(StarletteHTTPException, _http)
     app.add_exception_handler(RequestValidationError, _schema)
-    for kind in (KeyReused, UnknownVariant, StorageUnavailable):
+    for kind in (KeyReused, UnknownVariant, StorageUnavailable, JudgingEnded):
         app.add_exception_handler(kind, _store)
 
 

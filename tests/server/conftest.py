@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import subprocess
 import sys
 import time
@@ -17,6 +18,7 @@ from starlette.testclient import TestClient
 
 from server.app import create_app
 from server.database import Database
+from server.judging.thread import JudgingThread
 from server.settings import Settings
 from server.web import language as languages
 from tests.conftest import REQUIRED, Laid
@@ -50,6 +52,20 @@ def client(settings: Settings) -> Iterator[TestClient]:
     """A client of a server that runs in this process; errors come back as responses."""
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         yield found
+
+
+@pytest.fixture(scope="session", autouse=True)
+def told_as_to_a_judge() -> Iterator[None]:
+    """What a thread of this process computes could as well be told to the judge of a server, and be told by it."""
+    run = JudgingThread.run
+
+    async def told(judging: JudgingThread, compute: Callable[..., object], *args: object, **kwargs: object) -> object:
+        pickle.loads(pickle.dumps((compute, args, kwargs)))
+        return pickle.loads(pickle.dumps(await run(judging, compute, *args, **kwargs)))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(JudgingThread, "run", told)
+        yield
 
 
 @pytest.fixture(autouse=True)

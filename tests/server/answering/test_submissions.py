@@ -17,8 +17,8 @@ from starlette.testclient import TestClient
 from exercises import grading
 from exercises.exercise import Submission
 from exercises.variants import deal as dealt_by_hand
-from server.answering.judging import JudgingThread
 from server.database.engine import engine
+from server.judging.thread import JudgingThread
 from server.settings import Settings
 from server.tables import submissions
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from sqlalchemy import Connection, insert, select
 
-from server.answering.judging import JudgingThread
+from server.judging.thread import JudgingThread
 from server.storage.jobs import Batch, Ending, Job, Kept, Kind, Order
 from server.tables import batches, settings
 from server.web import ids

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
-from server.answering.judging import JudgingThread
 from server.jobs import api, working
 from server.jobs import streams as streams_of
 from server.jobs.kinds import KINDS
+from server.judging.thread import JudgingThread
 from tests.conftest import Laid
 from tests.server.conftest import SECRET
 from tests.server.jobs.counting import COUNTING, TELLING, Here, order

@@ -8,8 +8,8 @@ import tempfile
 
 import pytest
 
-from server.answering.judging import JudgingThread
 from server.jobs.tally import tallied
+from server.judging.thread import JudgingThread
 from server.storage.jobs import Fenced
 from tests.server.jobs.counting import compute_in_parts
 

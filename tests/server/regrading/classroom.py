@@ -12,11 +12,11 @@ from sqlalchemy import Connection, insert, select
 from exercises.exercise import Submission
 from exercises.variants import deal
 from server.answering import receipts
-from server.answering.judging import graded
 from server.database import Database
 from server.database.engine import engine
 from server.jobs.kinds import KINDS
 from server.jobs.working import Bureau, work
+from server.judging.judging import graded
 from server.regrading import job as regrade
 from server.sets import dealing
 from server.sets.planning import stored

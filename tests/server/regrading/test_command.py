@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from sqlalchemy import update
 
-from server.answering.judging import JudgingThread
 from server.database import Database
+from server.judging.thread import JudgingThread
 from server.settings import Settings
 from server.tables import grades
 from tests.cli.calling import run

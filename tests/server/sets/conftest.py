@@ -13,7 +13,7 @@ from starlette.testclient import TestClient
 
 from exercises import verifying
 from exercises.verifying import verify
-from server.answering.judging import JudgingThread
+from server.judging.thread import JudgingThread
 from server.sets import dealing, pages
 from server.settings import Settings
 from server.storage.sets import Card

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from exercises import catalogue
-from server.answering.judging import JudgingThread
+from server.judging.thread import JudgingThread
 from server.sets import printing
 from tests.server.sets.conftest import Course, in_this_process
 from tests.server.sets.test_api import code_of

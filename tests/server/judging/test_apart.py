@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 
-from server.answering.judging import JudgingThread
+from server.judging.thread import JudgingThread
 
 
 def test_tasks_are_computed_apart_in_their_order() -> None:
@@ -24,7 +24,7 @@ def test_tasks_are_computed_apart_in_their_order() -> None:
 
 PROGRAM = """
 import asyncio, os, sys
-from server.answering.judging import JudgingThread
+from server.judging.thread import JudgingThread
 if __name__ == "__main__":
     print(*asyncio.run(JudgingThread(1).apart(os.getpid, [()])), flush=True)
     sys.stdin.read()

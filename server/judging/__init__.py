@@ -1,0 +1,1 @@
+"""Where exercises are computed: beside the thread that answers requests."""
