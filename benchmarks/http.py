@@ -189,7 +189,7 @@ def report(rounds: Rounds, given: argparse.Namespace) -> None:
         middle[name] = median(rates), median(work)
         print(
             f"{name}: {median(rates):.0f} submissions/s ({min(rates):.0f} to {max(rates):.0f} in {len(rates)} rounds), "
-            f"{1e3 * median(work):.2f} ms of a processor for each in the server"
+            f"{1e3 * median(work):.2f} ms of a processor for each in server and judge"
         )
     print(f"ratio by processor time {middle['no-op'][1] / middle['graded'][1]:.2f}")
     print(f"ratio {middle['graded'][0] / middle['no-op'][0]:.2f}")

@@ -125,7 +125,7 @@ def create_app(settings: Settings, *, judging: Judging | None = None, passwords:
 
     Args:
         settings: The server's settings; the store must have the tables of this version.
-        judging: Where exercises are computed, if not on a thread of its own.
+        judging: Where exercises are computed, if not on a thread of this process.
         passwords: How passwords are hashed, if not with the usual amount of work.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Judging on one thread of this process: ball precision belongs to the process, so a pool would mix it up."""
+"""Judging on one thread of this process: ball precision belongs to the process, so several would mix it up."""
 
 from __future__ import annotations
 
