@@ -19,9 +19,14 @@ LENGTH = Struct("!I")  # bytes that follow
 
 
 def sealed(content: object) -> bytes:
-    """Write something as it goes over the line: its length, then itself. Both ends are ours."""
+    """Write something as it goes over the line: its length, then itself."""
     told = pickle.dumps(content, pickle.HIGHEST_PROTOCOL)
     return LENGTH.pack(len(told)) + told
+
+
+def opened(told: bytes) -> Any:
+    """Read what came over the line, of which only the server and its judge have the ends."""
+    return pickle.loads(told)
 
 
 def judge(line: socket, log: str) -> None:
@@ -51,7 +56,7 @@ def _tasks(line: BufferedRWPair) -> Iterator[bytes]:
 
 def answered(told: bytes) -> bytes:
     """Compute one task: what comes of it, or what it raises; the log names the request it is for."""
-    request, compute, args, keywords = pickle.loads(told)
+    request, compute, args, keywords = opened(told)
     token = logs.REQUEST.set(request)
     try:
         return sealed((compute(*args, **keywords), None))
@@ -65,7 +70,7 @@ def _raised(error: Exception) -> bytes:
     """Write an exception; one that cannot travel is told by its kind."""
     try:
         whole = sealed((None, error))
-        pickle.loads(whole[LENGTH.size :])
+        opened(whole[LENGTH.size :])
     except Exception:  # an exception's own way of being written may fail in any way
         return sealed((None, RuntimeError(type(error).__qualname__)))
     return whole

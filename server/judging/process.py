@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import pickle
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,7 +14,7 @@ from typing import Any
 
 from exercises import grading
 from exercises.exercise import Grade, Submission
-from server.judging.judge import LENGTH, judge, sealed
+from server.judging.judge import LENGTH, judge, opened, sealed
 from server.judging.judging import JudgingEnded, P, T, graded
 from server.judging.thread import JudgingThread
 from server.web import logs
@@ -123,7 +122,7 @@ class JudgingProcess(JudgingThread):
         """Keep the promise of the task that the judge was at."""
         promise = self._tasks.popleft().promise
         if not promise.done():  # else nobody waits any more
-            promise.set_result(pickle.loads(told))
+            promise.set_result(opened(told))
         self._watch()
 
     def ended(self) -> None:

@@ -15,7 +15,6 @@ from exercises.grading import UnknownAnswer, failed
 from exercises.variants import restore
 from graders import Code
 from server.answering import receipts
-from server.bench import Bench
 from server.judging.judging import JudgingEnded, graded_as_asked
 from server.sets import publishing
 from server.sets.rules import Rules, Stage, Window, held, left, solution_open, valued, window
