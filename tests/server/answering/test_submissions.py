@@ -157,10 +157,14 @@ def test_a_failure_of_ours_is_a_grade_that_costs_nothing(
     assert "a bug" in caplog.text
 
 
+def thread_name() -> str:
+    return current_thread().name
+
+
 def test_grading_runs_on_one_thread_of_its_own() -> None:
     async def names() -> set[str]:
         judging = JudgingThread()
-        found = await asyncio.gather(*(judging.run(lambda: current_thread().name) for _ in range(20)))
+        found = await asyncio.gather(*(judging.run(thread_name) for _ in range(20)))
         judging.close()
         return set(found)
 
