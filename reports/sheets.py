@@ -80,7 +80,8 @@ def _sheet(number: int, of: int, printed: Sheet, language: str) -> Iterator[Bloc
 
 def _answers(shown: Presented) -> Iterator[Block]:
     for number, asked in enumerate(shown.answers.values(), 1):
-        unit = f" [{asked.unit_text}]" if asked.unit_text else ""
+        named = asked.kind == "diagram" and asked.unit_text in asked.prompt_text  # with that of x beside it
+        unit = f" [{asked.unit_text}]" if asked.unit_text and not named else ""
         yield Paragraph((f"{number}. ", *line_from_html(asked.prompt_html), unit), kept=True)
         if asked.options:
             yield Bullets(tuple(line_from_html(html) for _, html in asked.options))

@@ -70,6 +70,13 @@ def test_a_prompt_stands_with_its_unit_before_the_room_to_answer() -> None:
     assert any(isinstance(b, Paragraph) and plain(b.line).endswith(f"[{asked.unit_text}]") for b in made.blocks)
 
 
+@pytest.mark.parametrize("language", ["pl", "en", "ru"])
+def test_a_unit_that_a_prompt_says_is_not_said_again(language: str) -> None:
+    made = sheets.sheets(printed("beam_diagrams", 1, language), language)
+    asked = [plain(b.line) for b in made.blocks if isinstance(b, Paragraph) and re.match(r"\d\. ", plain(b.line))]
+    assert [line.count("[") for line in asked] == [1, 1, 0, 0]
+
+
 @pytest.mark.parametrize(
     ("language", "expected"),
     [
