@@ -23,7 +23,7 @@ from graders.verdict import FOLLOWED, RIGHT, UNDECIDED, Code, Flaw, Verdict
 
 FAMILIES = {  # the usual letters of rates: of an angle or of a length, once or twice
     "omega": ("angle", 1), "w": ("angle", 1), "epsilon": ("angle", 2), "eps": ("angle", 2),
-    "v": ("length", 1), "a": ("length", 2), "p": ("length", 2),
+    "v": ("length", 1), "V": ("length", 1), "a": ("length", 2), "A": ("length", 2), "p": ("length", 2),
 }  # fmt: skip
 
 
@@ -103,11 +103,14 @@ class _Meaning:
     def _usual(self, name: str) -> tuple[str, int] | None:
         """Understand `omega2`, `eps2`, `v3`: by the figure behind the letter, or where only one rate can be meant."""
         letter, index = _indexed(name)
+        close = letter not in FAMILIES  # what stands below is typed beside: `Vx`, `vDx`
+        if close:
+            letter, index = name[:1], name[1:]
         what, order = FAMILIES.get(letter, ("", 0))
         fitting = [own for own in self.unknowns if self.named.owners[own][1] == what]
         same = [own for own in fitting if index and index in _below(own)]
         placed = [own for own in self.places if what == "length" and index and index in _below(own)]
-        chosen = next((one for one in (same, placed) if len(one) == 1), fitting)
+        chosen = next((one for one in (same, placed) if len(one) == 1), [] if close else fitting)
         return (chosen[0], order) if len(chosen) == 1 else None
 
 

@@ -98,7 +98,9 @@ def test_one_coordinate_beside_a_length_and_an_angle_is_not_determined() -> None
 
 
 @pytest.mark.parametrize("arm", ARMS)
-@pytest.mark.parametrize(("speeds", "pushes"), [("v_{}", "a_{}"), ("v_D{}", "a_D{}"), ("{}_D_d", "{}_D_dd")])
+@pytest.mark.parametrize(("speeds", "pushes"), [
+    ("v_{}", "a_{}"), ("v_D{}", "a_D{}"), ("{}_D_d", "{}_D_dd"), ("V_{}", "A_{}"), ("V{}", "A{}"), ("VD{}", "aD{}"),
+])  # fmt: skip
 def test_rates_of_the_gripper_have_many_names(arm: str, speeds: str, pushes: str) -> None:
     typed = reference(variants.deal(arm, 3))
     for axis in "xy":

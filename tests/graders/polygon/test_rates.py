@@ -62,6 +62,10 @@ FORMS = {
                                            "y: l1*omega1*cos(alpha1) = l2*omega2*cos(phi)"),
     "a rate named like its length": (1, REVERSED, "x: -l1*omega1*sin(alpha1) = -l2*w*sin(phi) + v_C\n"
                                      "y: l1*omega1*cos(alpha1) = l2*w*cos(phi)"),
+    "a capital letter for a velocity": (1, None, "x: -l1*omega1*sin(alpha1) - l2*omega2*sin(alpha2) = V3\n"
+                                        "y: l1*omega1*cos(alpha1) + l2*omega2*cos(alpha2) = 0"),
+    "a velocity named like its node": (1, REVERSED, "x: -l1*omega1*sin(alpha1) = -l2*w*sin(phi) + VC\n"
+                                       "y: l1*omega1*cos(alpha1) = l2*w*cos(phi)"),
     "accelerations by _dd": (2, None, "x: -l1*alpha1_dd*sin(alpha1) - l1*alpha1_d^2*cos(alpha1)"
                              " - l2*alpha2_dd*sin(alpha2) - l2*alpha2_d^2*cos(alpha2) - l3_dd = 0\n"
                              "y: l1*epsilon1*cos(alpha1) - l1*omega1^2*sin(alpha1)"
@@ -128,6 +132,7 @@ DEFECTS = {
     "slider's velocity lost": (1, SLIDER, SV, " - v3", "", ("term_missing", "l3", "x")),
     "rod lost": (1, SLIDER, SV, " - l2*omega2*sin(alpha2)", "", ("term_missing", "l2", "x")),
     "no name of a rate": (1, SLIDER, SV, "v3", "q7", ("unknown_rate", "q7", "")),
+    "a velocity of nothing": (1, SLIDER, SV, "v3", "vq", ("unknown_rate", "vq", "")),
     "something else": (1, SLIDER, SV, "v3", "v3*l3/l2", ("wrong_rates", "", "x")),
 }  # fmt: skip
 
