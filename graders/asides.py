@@ -25,7 +25,9 @@ LETTERED = re.compile(r"(?:(?<=\d)|(?<=\d[.,]))(?:[OoОо]+(?![^\W\d_])|[lI](?=\
 FIGURES = {"l": "1", "I": "1"}  # the others look like 0
 LITERAL = re.compile(r"\d[\d.,]*")
 DRAWN = re.compile(r"\\(?:mathrm|d?frac)|[\\{}()/\s]")  # what a derivative is drawn with besides its letters
-LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(?=\s{{0,9}}[-+−–.\d(\\√])")
+LABEL = re.compile(rf"^(\s{{0,9}}(?!pi\b|π){LETTER}(?:{LETTER}|[\d_₀-₉])*\s?):(=?)(?=\s{{0,9}}[-+−–.\d(\\√])")
+ANSWER = re.compile(r"^\s{0,9}(?:odp|отв|ans)\.\s{0,3}:?", re.IGNORECASE)  # Odp.: 12 kN
+BACKSLASH = re.compile(r"(?<=[^\W\d_])\\(?=(?:s|sec|sek|min|m|mm|с|сек|мин|м|мм)(?:[\^²]?\d?)\W{0,3}$)")  # м\с
 
 
 DIRECTION = re.compile(
@@ -38,7 +40,8 @@ DIRECTION = re.compile(
 
 def without_asides(text: str) -> str:
     """Blank out what says nothing of the number: `ok. 12 kN`, `R_A: 12 kN`, `(12 kN)`, `12 kN.`; places stay."""
-    text = TIE.sub(" ", LABEL.sub(r"\1=", undollared(text)))
+    text = ANSWER.sub(lambda found: " " * len(found[0]), BACKSLASH.sub("/", undollared(text)))
+    text = TIE.sub(" ", LABEL.sub(lambda found: found[1] + " " * len(found[2]) + "=", text))
     text = ROUGHLY.sub(lambda found: found[1] + " " * len(found[2]), text)
     found = text.rstrip()
     for mark in (";", "."):

@@ -35,6 +35,7 @@ class Slip(StrEnum):
     FACTOR = "factor"
     STRETCH = "stretch"
     EVERYWHERE = "everywhere"
+    NUMBERS = "numbers"
     # tables of a cycle
     FEW_ROWS = "few_rows"
     NOT_A_CYCLE = "not_a_cycle"

@@ -15,6 +15,12 @@ MAX_ITEMS = 24
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 NAMED = re.compile(r"[^\S\n]{0,20}([^\W\d]\w{0,20}'{0,2})[^\S\n]{0,20}=")
 AND = re.compile(r"(?<=[\s)\]}])(?:i|oraz|lub|albo|and|or|и|или)(?=[\s(\[{])")
+NUMBER = r"[-+−–]?\d{1,15}(?:[.,]\d{1,15})?°?"
+IN_A_ROW = re.compile(rf"{NUMBER}(?:[ \u00a0]{{1,9}}{NUMBER}){{1,11}}")  # -29,98 -14,97 95,06
+CELLS = re.compile(r"(?<![\s=;,(\[{])( {0,9})\t(?=[ \t]{0,9}[^\s;,=)\]}])")  # of a spreadsheet
+COUNTED = re.compile(
+    r"(?:^|(?<=[;\n]))[^\S\n]{0,9}(?:\d{1,2}\)|[IVX]{1,4}[.:)]|\d{1,2}\.(?=\s{1,9}[(\[{]))"
+)  # 1) (2; 3)
 NOTHING = (
     "∅", "{}", "none", "no solution", "no solutions", "brak", "brak rozwiązań", "нет",
     "нет решений", "решений нет",
@@ -37,7 +43,8 @@ def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Pi
     """
     if len(text) > MAX_LENGTH:
         raise AnswerSyntaxError(Reason.TOO_LONG, MAX_LENGTH)
-    whole = Piece(AND.sub(lambda word: ";".ljust(len(word[0])), text), 0).bare
+    text = _uncounted(CELLS.sub(r"\1;", AND.sub(lambda word: ";".ljust(len(word[0])), text)))
+    whole = Piece(text.rstrip().removesuffix("."), 0).bare
     if not whole.text:
         raise AnswerSyntaxError(Reason.EMPTY, 0)
     if whole.text.lower().rstrip(".") in NOTHING:
@@ -48,6 +55,15 @@ def read_items(text: str, width: int, names: Sequence[str] = ()) -> list[list[Pi
     if len(pieces) > MAX_ITEMS * width:
         raise AnswerSyntaxError(Reason.TOO_LONG, pieces[MAX_ITEMS].place)
     return [_ordered(item, names) for item in _grouped(pieces, width)]
+
+
+def _uncounted(text: str) -> str:
+    """Blank out the numbers in front of items: `1) (2; 3)`, `II. (2; 3)`."""
+    for mark in COUNTED.finditer(text):
+        start, end = mark.span()
+        inside = text.count("(", 0, start) > text.count(")", 0, start)  # the bracket closes an item
+        text = text if inside else text[:start] + " " * (end - start) + text[end:]
+    return text
 
 
 def _pieces(whole: Piece, width: int) -> list[Piece]:
@@ -79,6 +95,8 @@ def _components(piece: Piece, width: int) -> list[Piece]:
     if not marks:
         commas = [at for at, char in _outer(inner) if char == ","]
         marks = _separating(inner.text, commas, width if inner is not piece else 0)
+    if not marks and len(inner.text.split()) == width and IN_A_ROW.fullmatch(inner.text):
+        marks = [at for at, char in enumerate(inner.text) if char.isspace() and not inner.text[at - 1].isspace()]
     return _cut(inner, marks)
 
 

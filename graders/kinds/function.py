@@ -65,7 +65,7 @@ class Function:
             case Finding.EQUAL:
                 return RIGHT if beside.cut else UNDECIDED
             case Finding.DIFFERENT:
-                return self._partly(beside)
+                return self._partly(beside, self._in_numbers(answer, reference))
             case Finding.UNDEFINED:
                 return wrong(Code.UNDEFINED)
         return UNDECIDED
@@ -77,22 +77,29 @@ class Function:
         beside = tried(answer, reference, Span(self.x, self.places))
         return beside.finding is Finding.EQUAL and beside.cut
 
-    def _partly(self, beside: Tried) -> Verdict:
+    def _partly(self, beside: Tried, numbers: bool) -> Verdict:
         """Count the stretches that are right; the first one alone earns nothing."""
         seen = differences(beside)
         if seen.opposite:
             return wrong(Code.OPPOSITE_SIGN)
         right = seen.right
-        remarks = Remarks(sum(right), len(right), (self._remark(beside, seen),))
+        remarks = Remarks(sum(right), len(right), (self._remark(beside, seen, numbers),))
         score = max(0.0, round((sum(right) - 1) / (len(right) - 1), 6)) if len(right) > 1 else 0.0
         return Verdict(score, Code.SOME_MARKS, remarks) if score else wrong(Code.NO_MARKS, remarks)
 
-    def _remark(self, beside: Tried, seen: Differences) -> Remark:
+    def _in_numbers(self, answer: tuple[Part, ...], reference: Formula) -> bool:
+        """Tell whether numbers stand where the function asked for has symbols."""
+        typed = frozenset[str]().union(*(names(part.body) for part in answer))
+        return typed <= {self.x} < names(reference.tree)
+
+    def _remark(self, beside: Tried, seen: Differences, numbers: bool) -> Remark:
         covering = {len(spot.parts) for spot in beside.spots}
         if covering != {1}:
             return Remark(Slip.NOT_COVERED if 0 in covering else Slip.COVERED_TWICE)
         if any(seen.right):
             return self._where(seen.right)
+        if numbers:
+            return Remark(Slip.NUMBERS)
         if seen.scaled:
             return Remark(Slip.FACTOR)
         if self.constants and seen.linear:

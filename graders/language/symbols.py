@@ -48,6 +48,7 @@ ALIASES = {
     "sh": "sinh", "ch": "cosh", "th": "tanh", "tgh": "tanh", "lg": "log", "log10": "log", "sgn": "sign",
     "pierw": "sqrt", "pierwiastek": "sqrt", "корень": "sqrt", "znak": "sign", "знак": "sign", "modul": "abs",
     "moduł": "abs", "модуль": "abs",
+    "SIN": "sin", "COS": "cos", "TAN": "tan", "ASIN": "asin", "ACOS": "acos", "ATAN": "atan", "SQRT": "sqrt",
 }  # fmt: skip
 
 LONGEST_RUN, LONGEST_NAME = 12, 16  # names of a run, and letters of one
@@ -132,8 +133,11 @@ class Symbols:
 
         Empty unless every part is a declared name or a function.
         """
-        parts = BORDER.split(spelling)
-        return parts if len(parts) > 1 and all(self.find(p) or function_named(p) for p in parts) else []
+        for run in dict.fromkeys((spelling, latin(spelling))):
+            parts = BORDER.split(run)
+            if len(parts) > 1 and all(self.find(p) or function_named(p) for p in parts):
+                return parts
+        return []
 
     def run(self, spelling: str) -> list[str]:
         """Cut a run of letters into declared names, the longest first; empty if something is left over."""

@@ -16,10 +16,10 @@ LONGEST = 6000
 MOST = 40
 DOTS = re.compile(r"\.{2,3}|…|‥")
 RELATION = re.compile(r"<=|>=|[<>≤≥⩽⩾]")
-DASH = re.compile(r"(?<=[ \w])[–—-](?= )")
+DASH = re.compile(r"(?<=[ \w])[–—÷-](?= )")
 FROM = re.compile(r"(?:(?:for|dla|для) {1,4})?(?:x {0,4}[:=]? {0,4})?(?:(?:from|od|от) {1,4})?", re.IGNORECASE)
 TO = re.compile(r" (?:to|do|до) ", re.IGNORECASE)
-TIGHT = re.compile(r"(\d{1,6}(?:[.,]\d{1,9})?) {0,3}[–—-] {0,3}(\d{1,6}(?:[.,]\d{1,9})?(?: {0,3}m)?)")  # 0-0,5
+TIGHT = re.compile(r"(\d{1,6}(?:[.,]\d{1,9})?) {0,3}[–—÷-] {0,3}(\d{1,6}(?:[.,]\d{1,9})?(?: {0,3}m)?)")  # 0-0,5
 MEMBER = re.compile(r"^[^\W\d_]\w{0,10} {0,4}(?:∈|in\b) {0,4}")
 POINTED = re.compile(r"<([^<>;:\n]{1,40};[^<>;:\n]{1,40})>(?= {0,5}:)")  # <0; 1,5>: a closed interval in Polish books
 CLOSED = re.compile(r">(?! {0,5}(?:\^|\*\*|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]|=))")  # a bracket without its power

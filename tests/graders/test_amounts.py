@@ -85,6 +85,7 @@ def test_a_bound_is_asked_for_its_value(text: str, place: int, meant: str) -> No
     ["ok. 204 mm", "l3 = ok. 204 mm", "≈ około 204 mm", "ок. 204 мм", "Około 204", "w przybliżeniu 20,4 cm",
      "approx. 204 mm", "~204 mm", "204~mm", "$204\\,\\mathrm{mm}$", "l3: 204 mm", "Ø204 mm", "⌀ 204", "204.", "204 mm.",
      "about -(-204) mm", "408/2 = 204 mm", "= 204", r"ok. 20{,}4\,\mathrm{cm}", "204 [mm]", "∛(204^3) mm",
+     "l3 := 204 mm", "Odp. 204 mm", "Odp.: l3 = 204 mm", "отв. 204 мм", "Ans.: 204",
      "204*mm", r"204\cdot\mathrm{mm}", "20,4·cm", "$$204$$", "$ 204 mm $"],
 )  # fmt: skip
 def test_what_says_nothing_of_an_amount_is_passed_over(text: str) -> None:
@@ -92,11 +93,35 @@ def test_what_says_nothing_of_an_amount_is_passed_over(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["okno 204 mm", "ok.", "about", "l3: l3", "reakcja R 204", "2*x = 204", "x/2 = 204", "not 204"]
+    "text",
+    [
+        "okno 204 mm",
+        "ok.",
+        "about",
+        "l3: l3",
+        "reakcja R 204",
+        "2*x = 204",
+        "x/2 = 204",
+        "not 204",
+        "odp 204",
+        "odp.",
+        "2 l3 := 204",
+    ],
 )
 def test_what_may_say_something_is_not_passed_over(text: str) -> None:
     with pytest.raises(AnswerSyntaxError):
         Quantity("mm").parse(text, NOTHING)
+
+
+@pytest.mark.parametrize("text", [r"1,5 м\с", r"1,5 m\s", r"v = 1,5 м\сек", r"1500 mm\s", r"90 m\min"])
+def test_a_backslash_between_units_is_a_stroke(text: str) -> None:
+    assert Quantity("m/s").parse(text, NOTHING).value == pytest.approx(1.5)
+
+
+@pytest.mark.parametrize("text", [r"1,5 \s", r"1,5\m", r"1,5 м\кс", r"\s"])
+def test_another_backslash_is_a_command(text: str) -> None:
+    with pytest.raises(AnswerSyntaxError):
+        Quantity("m/s").parse(text, NOTHING)
 
 
 def test_a_colon_behind_pi_divides() -> None:

@@ -70,6 +70,8 @@ def test_mathml_is_well_formed_and_latex_balances_its_braces(tree: Tree) -> None
         ("√(x) + √4", "sqrt(x)+2"),
         ("|a - x|", "x-a"),
         ("tg(α1)*ctg(α1)", "1"),
+        ("-l1*COS(alpha1)*SQRT(x)", "-l1*cos(alpha1)*sqrt(x)"),  # out of a spreadsheet
+        ("x·сosα1", "x*cos(alpha1)"),  # with a Cyrillic letter
         ("arctg(x) + arcctg(x)", "pi/2"),
         ("1/2 a x²", "0.5*a*x^2"),
         ("3,5·10^-2", "0.035"),
