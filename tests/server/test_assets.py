@@ -118,8 +118,23 @@ def test_the_maths_face_stretches_and_holds_the_symbols_of_the_answer_language()
 
 
 def test_every_face_lets_the_text_be_read_before_it_arrives() -> None:
-    style = STYLE.read_text()
-    assert style.count("@font-face") == style.count("font-display:swap") == len(FONTS)
+    fetched = [face for face in faces() if "url(" in face]
+    assert len(fetched) == len(FONTS) and all("font-display:swap" in face for face in fetched)
+
+
+def test_what_stands_until_a_face_arrives_is_of_the_machine_and_as_high() -> None:
+    waiting, font = [face for face in faces() if "url(" not in face], font_of("text-regular")
+    assert len(waiting) == 4 and all("src:local(" in face for face in waiting)
+    wanted = {"ascent": font["hhea"].ascent, "descent": -font["hhea"].descent, "line-gap": font["hhea"].lineGap}
+    for face in waiting:
+        shares = {name: float(share) / 100 for name, share in re.findall(r"([\w-]+):([\d.]+)%", face)}
+        for name, units in wanted.items():
+            height = shares["size-adjust"] * shares[f"{name}-override"]
+            assert height == pytest.approx(units / font["head"].unitsPerEm, rel=0.01), face
+
+
+def faces() -> list[str]:
+    return re.findall(r"@font-face\s*\{[^}]*\}", STYLE.read_text())
 
 
 def test_nothing_is_loaded_from_anywhere_else() -> None:
