@@ -95,6 +95,25 @@ def test_a_page_loads_little() -> None:
     assert sum(file.stat().st_size for file in FONTS.values()) < 140_000
 
 
+def written(*patterns: str) -> str:
+    """Give all sources that the patterns find."""
+    files = [file for pattern in patterns for file in sorted(ROOT.glob(pattern)) if "node_modules" not in file.parts]
+    return "\n".join(file.read_text("utf-8") for file in files)
+
+
+def test_every_class_of_the_style_sheet_stands_on_something() -> None:
+    pages = "\n".join(re.findall(r'class="[^\n]*', written("server/templates/**/*.html")))
+    drawn = written(
+        "server/assets/ts/**/*.ts", "figures/*.py", "exercises/**/*.py", "graders/**/*.py", "server/**/*.py"
+    )
+    named = "\n".join([pages, *re.findall(r"""["'`][^"'`\n]*["'`]""", drawn)])
+    used = {*re.findall(r"[A-Za-z][\w-]*", named), *re.findall(r"[a-z]+-(?=\{\{)", pages)}
+    styles = re.sub(r"/\*.*?\*/|url\([^)]*\)|@import[^;]*", "", written("server/assets/css/*.css"), flags=re.DOTALL)
+    classes = set(re.findall(r"\.([A-Za-z][\w-]*)", styles))
+    assert len(classes) > 150
+    assert sorted(name for name in classes if not {name, name.rpartition("-")[0] + "-"} & used) == []
+
+
 @pytest.mark.parametrize("face", TEXT_FACES)
 def test_a_text_face_holds_the_letters_of_all_three_languages_and_greek(face: str) -> None:
     letters = "AZaz09ĄĆĘŁŃÓŚŹŻąćęłńóśźżАЯЁаяё№αβγδεηθλμνπρσςτφϕψωΔΣΦΨΩ„”«»–−·×°′"

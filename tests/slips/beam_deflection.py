@@ -14,24 +14,6 @@ from tests.slips.simple_beam import about_B, negative, of
 from tests.slips.slip import Lines, S
 
 
-def in_v(change: Callable[[str], str]) -> Lines:
-    """A slip in v(x) and in the largest deflection; no occasion where it changes nothing."""
-
-    def lines(g: Any) -> Mapping[str, str] | None:
-        true = {"v": deflection(g, "x"), "v_m": deflection(g, "x_m")}
-        found = {name: change(line) for name, line in true.items()}
-        return found if found != true else None
-
-    return lines
-
-
-def in_M(change: Callable[[str], str]) -> Lines:
-    def lines(g: Any) -> Mapping[str, str] | None:
-        return {"M": change(bending(g))} if change(bending(g)) != bending(g) else None
-
-    return lines
-
-
 def typed(name: str, change: Callable[[str], str]) -> Lines:
     """A slip in the typed function alone."""
 

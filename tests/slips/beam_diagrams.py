@@ -113,17 +113,6 @@ def first_force(g: Any) -> Any:
     return next(load for load in g.loads if isinstance(load, members.Force))
 
 
-def moment_at_wall(change: Callable[[str], str]) -> Lines:
-    def lines(g: Any) -> Mapping[str, str] | None:
-        if len(g.supports) == 2:
-            return None
-        if isinstance(g.supports[0], members.ClampedLeft):
-            return {"M_A": change(added(each(g.loads, lambda load: load.turn, "0")))}
-        return {"M_B": change(f"-({added(each(g.loads, lambda load: load.turn, 'L'))})")}
-
-    return lines
-
-
 def at_wall(form: str) -> Lines:
     """Type the moment at the wall by a formula of it."""
 

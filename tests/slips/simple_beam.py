@@ -68,10 +68,6 @@ def at_force(givens: Any) -> Mapping[str, str]:
     return {"x_M": found[0]}
 
 
-def sign_of_line(givens: Any) -> Mapping[str, str]:
-    return {"v_K": "-v_K"}
-
-
 SLIPS = (
     # the reactions
     S(

@@ -36,17 +36,6 @@ def bores_ignored(g: Any) -> Mapping[str, Any] | None:
     return found
 
 
-def in_segment(first: Callable[[str], str], at: int = 0) -> Lines:
-    """A slip in T of one segment, the one solved first or next."""
-
-    def changed(g: Any) -> Mapping[str, Any] | None:
-        true = {name: str(line) for name, line in lines.summed(g, lines.acting(g)).items()}
-        names = list(true)
-        return {names[at]: first(true[names[at]])} if len(names) > at else None
-
-    return changed
-
-
 def own_torque_left_out(g: Any) -> Mapping[str, Any]:
     """The torque next to the section left out: T taken over from the segment before."""
     names = list(lines.summed(g, lines.acting(g)))
