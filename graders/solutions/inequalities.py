@@ -78,7 +78,7 @@ class Regions:
         self.met = set[Place]()  # residuals of which a border was met
         self.degrees = dict[int, list[int]]()  # of all slots, by the symbol
         self._residuals = [(which, index) for which in (0, 1) for index in range(len(trees[which]))]
-        self.unsure, self.seen = False, 0  # points through which lines along all symbols were tested
+        self.unsure = self.seen = False  # whether lines along all symbols were tested through some point
 
     def known(self) -> Found:
         """Compare, and give equality up where a branch may have been missed."""
@@ -121,7 +121,7 @@ class Regions:
                 found = self._along(start, at)
                 if found is not None:
                     return found
-            self.seen += 1
+            self.seen = True
         return self._elsewhere() or (UNDECIDED if self.unsure else EQUAL)
 
     def _elsewhere(self) -> Found | None:

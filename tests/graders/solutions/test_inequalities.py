@@ -1,4 +1,9 @@
-"""Inequalities are equal when they hold at the same points: inside, on the borders and between them."""
+"""Inequalities are equal when they hold at the same points: inside, on the borders and between them.
+
+Mutants of the comparison that live on change no verdict: corners a little outside the box; borders of one line that are
+known already, or one more of them; borders looked for down a slope although lines have met them; what is noted as
+unsure where the comparison ends anyway; the end of the last stretch of a line, within which another point is tested.
+"""
 
 from __future__ import annotations
 
@@ -33,6 +38,9 @@ EQUAL = [
     ("sin(y) > 0", "0 < y < pi"),
     ("(y - a)^3 > 0", "3*(y - a)^3 > 3*0"),
     ("-b <= y*sin(x) <= a", "a >= y*sin(x) >= -b"),
+    ("y < sqrt(a - b)", "(y - sqrt(a - b))*(a - b) < 0"),
+    ("y*(y - a) < 0", "y*(y - a) + 0*sqrt(y) < 0"),
+    ("max(0; y - a)*x > 0", "y > a"),
 ]
 DIFFERENT = [
     ("y < a", "y <= a"),
@@ -49,6 +57,9 @@ DIFFERENT = [
     ("sqrt(y) < a", "y < a^2"),
     ("1/y < a", "1 < a*y"),
     ("max(y; z) < a", "y < a"),
+    ("x^2 + y^2 + 0*sqrt(y) < 1", "x^2 + y^2 < 1"),
+    ("(y - a)^2 > 0", "(y - a)^2 > 1e-25"),
+    ("max(0; y - a)*(y - b)^2 > 0", "y > a"),
 ]
 
 
