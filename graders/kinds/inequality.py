@@ -53,10 +53,11 @@ class Inequality:
             return RIGHT
         if found.finding is Finding.UNDECIDED:
             return UNDECIDED
-        closed = compare_inequalities(_written(answer, CLOSED), _written(right, CLOSED), scene)
+        near = [value for _, value in found.witness]
+        closed = compare_inequalities(_written(answer, CLOSED), _written(right, CLOSED), scene, near)
         if closed.finding is Finding.EQUAL:
             return Verdict(PART, Code.BORDER, Witness(found.witness))
-        turned = compare_inequalities(_written(answer, TURNED), right, scene)
+        turned = compare_inequalities(_written(answer, TURNED), right, scene, near)
         return wrong(Code.SENSE_TURNED if turned.finding is Finding.EQUAL else Code.WRONG, Witness(found.witness))
 
     def _right(self) -> Relation:

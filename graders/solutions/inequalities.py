@@ -53,13 +53,20 @@ def is_inequality(tree: Tree) -> bool:
     return isinstance(tree, Relation) and all(operator in ORDERS for operator in tree.operators)
 
 
-def compare_inequalities(answer: Relation, reference: Relation, scene: Scene) -> Found:
-    """Compare where two inequalities hold in a box."""
+def compare_inequalities(answer: Relation, reference: Relation, scene: Scene, near: Sequence[float] = ()) -> Found:
+    """Compare where two inequalities hold in a box.
+
+    Args:
+        answer: The inequality to judge.
+        reference: The inequality it should be equal to.
+        scene: The box.
+        near: A point that is tested first: where two like them differ.
+    """
     if answer == reference:
         return EQUAL
     with precision(BITS):
         try:
-            return Regions(scene, reference, answer).known()
+            return Regions(scene, reference, answer, near).known()
         except TooMuchWork:
             return UNDECIDED
 
@@ -67,8 +74,8 @@ def compare_inequalities(answer: Relation, reference: Relation, scene: Scene) ->
 class Regions:
     """The regions in which the reference and the answer hold."""
 
-    def __init__(self, scene: Scene, reference: Relation, answer: Relation) -> None:
-        self.scene = scene
+    def __init__(self, scene: Scene, reference: Relation, answer: Relation, near: Sequence[float] = ()) -> None:
+        self.scene, self.first = scene, [near] if near else []
         trees = [[Binary("-", a, b) for a, b in pairwise(chain.sides)] for chain in (reference, answer)]
         self.orders = [[ORDERS[operator] for operator in chain.operators] for chain in (reference, answer)]
         self.effort = Effort(INEQUALITY_WORK)
@@ -92,17 +99,23 @@ class Regions:
 
     def compared(self) -> Found:
         """Test points inside, on the borders and between them."""
-        branches = self.found.points
-        starts = [*branches, *extreme(self.scene), *self._corners()]
-        for point in exactly(starts):
-            found = self._tested(point)
-            if found is not None and self._tested(self._nudged(point)) is not None:
-                return found
-        lines = [*islice(extreme(self.scene), LINES), *branches]
+        points = [*self.first, *extreme(self.scene), *self._corners()]
+        found = self._inside(points) or self._inside(self.found.points)
+        if found is not None:
+            return found
+        lines = [*islice(extreme(self.scene), LINES), *self.found.points]
         try:
             return self._across(lines)
         except TooMuchWork:
             return EQUAL if self.seen and not self.unsure else UNDECIDED
+
+    def _inside(self, points: Sequence[Sequence[float]]) -> Found | None:
+        """Test points; what differs at one of them alone does not decide."""
+        for point in exactly(points):
+            found = self._tested(point)
+            if found is not None and self._tested(self._nudged(point)) is not None:
+                return found
+        return None
 
     def _corners(self) -> Iterator[list[float]]:
         """Give the corners of the box over the symbols that count, a little inside."""
