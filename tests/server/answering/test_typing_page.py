@@ -45,12 +45,23 @@ def test_the_page_shows_what_is_typed_and_how_it_is_read(client: TestClient, lan
     for example in (one for part in examples(language).values() for one in part):
         assert f"<code>{escape(example.typed)}</code>" in page
         assert example.read.mathml in page
-    assert page.count("<dt>") == len(HELPED) + 4
+    assert page.count("<dt>") == len(HELPED) + 4 + 7
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_says_how_it_is_used_without_a_mouse_and_whom_to_tell_what_does_not_work(
+    client: TestClient, language: str
+) -> None:
+    page = client.get(f"/typing?lang={language}").text
+    told = page[page.index('id="access"') :]
+    assert all(say(language, name) in told for name in ("island.play", "pages.report"))
+    for key in ("Tab", "Enter", "Ctrl+Enter", "MathML", "PDF/UA"):
+        assert key in told
 
 
 def test_the_page_is_linked_from_every_foot_and_beside_the_answers(client: TestClient) -> None:
     foot = '<a href="/typing">How to type answers</a>'
     dealt = client.post("/exercises/slider_crank", data={"seed": "7"}, headers={"accept-language": "en"})
     for page in (client.get("/?lang=en").text, dealt.text):
-        assert page.index('class="foot"') < page.index(foot)
+        assert page.index('class="foot"') < page.index(foot) < page.index('<a href="/typing#access">Accessibility</a>')
     assert dealt.text.index('id="h-ans"') < dealt.text.index('href="/typing" target') < dealt.text.index('id="a1"')
