@@ -14,6 +14,7 @@ from server.storage import StorageUnavailable
 from server.storage.jobs import Batch, Fenced, Jobs, Kind
 
 RENEWALS = 3  # in the time of one lease
+LEFT_TO_OTHERS = 1.0  # s until a batch is given back that this worker cannot do
 LOOK = 0.5  # s between two looks at how far a batch is
 log = logging.getLogger("grubler")
 
@@ -32,8 +33,11 @@ async def work(bureau: Bureau, batch: Batch) -> None:
     """Do a batch that was taken.
 
     One that fails is tried again; one whose worker is stopped is given back; one that another worker has taken
-    meanwhile, because this one was silent for too long, is dropped.
+    meanwhile, because this one was silent for too long, is dropped. One of a kind that only workers of another version
+    know is left to them.
     """
+    if batch.kind not in bureau.kinds:
+        return await _leave_to_others(bureau, batch)
     kind = bureau.kinds[batch.kind]
     try:
         with tallied() if kind.tells else nullcontext() as tally:
@@ -53,6 +57,14 @@ async def work(bureau: Bureau, batch: Batch) -> None:
         log.exception("batch %d of job %s failed", batch.number, batch.job)
         with suppress(StorageUnavailable):
             await bureau.jobs.fail(kind, batch, repr(error))
+
+
+async def _leave_to_others(bureau: Bureau, batch: Batch) -> None:
+    log.warning("batch %d of job %s is of the kind %s, which others may know", batch.number, batch.job, batch.kind)
+    try:
+        await asyncio.sleep(LEFT_TO_OTHERS)
+    finally:
+        await asyncio.shield(_give_back(bureau, batch))
 
 
 async def _give_back(bureau: Bureau, batch: Batch) -> None:

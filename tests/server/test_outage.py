@@ -45,7 +45,7 @@ def server() -> Iterator[OwnPostgres]:
 
 @pytest.fixture(scope="module")
 def client(server: OwnPostgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[TestClient]:
-    settings = Settings(tmp_path_factory.mktemp("outage"), secret=b"outage", database_url=server.address)
+    settings = Settings(tmp_path_factory.mktemp("outage"), secret=b"outage", database_url=server.address, workers=0)
     migrate(settings)
     with TestClient(create_app(settings), raise_server_exceptions=False) as found:
         yield found

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -132,6 +133,26 @@ async def _taken(bureau: Bureau, number: str) -> None:
     while found is None or found.state == "waiting":
         found = await bureau.jobs.job(number)
         await asyncio.sleep(0.002)
+
+
+def test_a_batch_that_only_workers_of_another_version_can_do_is_left_to_them(
+    bureau: Bureau, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(working, "LEFT_TO_OTHERS", 0.0)
+
+    async def worked() -> Any:
+        made = order([3])
+        await bureau.jobs.start(made)
+        old, new = replace(bureau, kinds={}), bureau
+        for worker in (old, new):
+            batch = await bureau.jobs.take_one("worker", made.id, 1)
+            assert batch is not None
+            await work(worker, batch)
+        return await bureau.jobs.job(made.id)
+
+    job = asyncio.run(worked())
+    assert (job.state, job.result) == ("done", {"sum": 9})
+    assert "of the kind counting" in caplog.text
 
 
 def test_a_batch_that_takes_longer_than_its_lease_is_renewed(bureau: Bureau) -> None:
