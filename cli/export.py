@@ -26,6 +26,7 @@ def arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--format", choices=("csv", "xlsx"), default="csv", help="form of the marks (default: csv)")
     parts = "what parts the cells of CSV; after semicolons numbers have a decimal comma (default: comma)"
     parser.add_argument("--separator", choices=("comma", "semicolon"), default="comma", help=parts)
+    parser.add_argument("--pseudonyms", action="store_true", help="name nobody in the marks, for research")
     parser.add_argument("--output", metavar="FILE", help="where the marks go (default: standard output)")
     store.arguments(parser)
     language(parser)
@@ -47,8 +48,9 @@ def run(options: Namespace) -> int:
 
 def _marks(settings: Settings, options: Namespace) -> int:
     content = exporting.marks(
-        settings, options.task_set, options.course, options.format, options.separator, options.lang
-    )
+        settings, options.task_set, options.course, options.format, options.separator, options.lang,
+        named=not options.pseudonyms,
+    )  # fmt: skip
     if content is None:
         raise Unusable("unknown_marks", number=options.task_set or options.course)
     if options.output is None:

@@ -100,3 +100,20 @@ def test_an_export_holds_what_the_gradebook_says_and_is_written_down(course: Cou
     direct = exporting.marks(course.school.bench.settings, number, None, "csv", "comma", "en")
     assert direct == reply.content
     assert exporting.marks(course.school.bench.settings, None, "none", "csv", "comma", "en") is None
+
+
+def test_marks_for_research_name_nobody_and_tell_the_same_person_alike(course: Course) -> None:
+    first, second = course.published(title="First"), course.published(title="Second")
+    course.hand_in(course.variant(first), reference(handing.variant_of(course.card(first))))
+    settings = course.school.bench.settings
+    found = []
+    for task_set, whole in ((first, None), (second, None), (None, course.school.course)):
+        content = exporting.marks(settings, task_set, whole, "csv", "comma", "en", named=False)
+        named = exporting.marks(settings, task_set, whole, "csv", "comma", "en")
+        assert content is not None and named is not None
+        lines = cells(content, ",")[1:]
+        assert not any(line[2] for line in lines)
+        assert sorted(line[4:] for line in lines) == sorted(line[4:] for line in cells(named, ",")[1:])
+        found.append([line[3] for line in lines])
+    assert found[0] == found[1] == found[2] == sorted(set(found[0]))
+    assert len(found[0]) == 3 and not {"Leaver", "Other", "Student"} & set(found[0])
