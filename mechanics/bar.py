@@ -74,6 +74,7 @@ class Bar:
         if self.gap_right is not None and not 0 <= self.gap_right < float("inf"):
             raise ValueError(f"gap_right = {self.gap_right} m must be finite and not negative")
         ends = tuple(accumulate((segment.L for segment in self.segments), initial=0.0))
+        positive("length of the bar", ends[-1], "m")
         object.__setattr__(self, "ends", ends)
         object.__setattr__(self, "forces", tuple(_placed(force, ends) for force in self.forces))
 

@@ -175,14 +175,47 @@ def stroke(crank: float, rod: float, offset: float = 0.0) -> float:
     Source:
         Domain VP-3: sqrt((l1 + l2)^2 - h^2) - sqrt((l2 - l1)^2 - h^2).
     """
+    far, near = _reach(crank, rod, offset)
+    return sqrt((far - offset) * (far + offset)) - sqrt(max(0.0, (near - offset) * (near + offset)))
+
+
+def turning_points(crank: float, rod: float, offset: float = 0.0) -> tuple[float, float]:
+    """Give the crank angles at which the slider on the side of +X turns round: farthest, then nearest.
+
+    Counter-clockwise the crank turns by the second less the first while the slider goes in, by the rest of the turn
+    while it goes out; at a constant speed the times are as these angles.
+
+    Args:
+        crank: Crank length l1, in metres, positive.
+        rod: Connecting-rod length l2, in metres, longer than the crank.
+        offset: Ordinate h of the guide, in metres.
+
+    Returns:
+        Two angles, in radians: in [-pi/2, pi/2] with crank and rod stretched, in [pi/2, 3 pi/2] with them folded.
+
+    Raises:
+        ValueError: A length is not positive and finite, or the offset not finite.
+        AssemblyError: The crank cannot turn fully (l1 + |h| > l2).
+        SingularError: Crank and rod are of one length: folded they may point anywhere.
+
+    Source:
+        Domain VP-3: sin a1 = h/(l1 + l2), a1 = pi + arcsin(h/(l2 - l1)).
+    """
+    far, near = _reach(crank, rod, offset)
+    if near <= REACH * rod:
+        raise SingularError(f"crank and rod are both {rod:g} m long: folded on one another they may point anywhere")
+    return asin(offset / far), pi + asin(min(1.0, max(-1.0, offset / near)))
+
+
+def _reach(crank: float, rod: float, offset: float) -> tuple[float, float]:
+    """Give l2 + l1 and l2 - l1 of a crank that turns fully."""
     positive("crank l1", crank, "m")
     positive("rod l2", rod, "m")
     finite("offset", offset, "m")
     missing = crank + abs(offset) - rod
     if missing > REACH * rod:
         raise AssemblyError(f"crank {crank:g} m cannot turn fully: rod {rod:g} m is {missing:.4g} m too short")
-    far, near = crank + rod, rod - crank
-    return sqrt((far - offset) * (far + offset)) - sqrt(max(0.0, (near - offset) * (near + offset)))
+    return rod + crank, rod - crank
 
 
 def dead_positions(crank: float, rod: float, offset: float = 0.0) -> tuple[float, ...]:

@@ -123,3 +123,8 @@ def test_a_place_a_rounding_away_from_an_end_is_that_end() -> None:
 def test_impossible_bars_are_refused_by_name(make: object, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         make()  # type: ignore[operator]
+
+
+def test_a_bar_longer_than_any_number_is_refused() -> None:
+    with pytest.raises(ValueError, match="length of the bar = inf m must be positive and finite"):
+        Bar((BarSegment(1e308, 1e-4, 2e11), BarSegment(1e308, 1e-4, 2e11)))

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechanics import slider_crank
+from mechanics import planar, slider_crank
 from mechanics.errors import AssemblyError, SingularError
 from mechanics.linkage import LinkageMotion
-from mechanics.slider_crank import Branch, dead_positions, position, solve, stroke
+from mechanics.slider_crank import Branch, dead_positions, position, solve, stroke, turning_points
 from tests.depth import amount
 
 quick = settings(max_examples=amount(13, 40), deadline=None)
@@ -177,3 +177,32 @@ def test_a_dead_position_that_is_just_reached_is_one(
 def test_an_infinite_crank_angle_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match="crank angle alpha1 = inf rad must be finite"):
         position(0.1, 0.3, inf)
+
+
+@pytest.mark.parametrize(
+    ("crank", "rod", "offset"), [(0.1, 0.3, 0.05), (0.1, 0.3, -0.2), (0.08, 0.2, 0.0), (0.1, 0.3, 0.2)]
+)
+def test_the_slider_turns_round_where_it_is_said(crank: float, rod: float, offset: float) -> None:
+    """By Newton's method on the bodies, and against all positions of a turn."""
+    far, near = turning_points(crank, rod, offset)
+    scanned = [position(crank, rod, radians(k / 10), offset).slider for k in range(3600)]
+    for angle, extreme in ((far, max(scanned)), (near, min(scanned))):
+        assert position(crank, rod, angle, offset).slider == pytest.approx(extreme, abs=1e-6)
+        if abs(offset) < rod - crank - 1e-9:  # else the rod is square to the guide there
+            assert planar.slider_crank(crank, rod, angle, 1.0, offset=offset).slider_speed == pytest.approx(0, abs=1e-9)
+    apart = position(crank, rod, far, offset).slider - position(crank, rod, near, offset).slider
+    assert apart == pytest.approx(stroke(crank, rod, offset))
+
+
+def test_an_offset_slider_returns_quicker_and_a_centric_one_does_not() -> None:
+    far, near = turning_points(0.1, 0.3, 0.05)
+    assert near - far == pytest.approx(pi + asin(0.05 / 0.2) - asin(0.05 / 0.4))
+    far, near = turning_points(0.1, 0.3)
+    assert near - far == pytest.approx(pi)
+
+
+def test_a_slider_without_two_turning_points_is_refused() -> None:
+    with pytest.raises(AssemblyError, match="cannot turn fully"):
+        turning_points(0.1, 0.3, 0.21)
+    with pytest.raises(SingularError, match="may point anywhere"):
+        turning_points(0.1, 0.1)
