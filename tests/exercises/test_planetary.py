@@ -26,6 +26,13 @@ def test_three_planets_have_room_beside_one_another_in_both_planes(seed: int) ->
         assert rim.z + 2 < between, wheels
 
 
+@pytest.mark.parametrize("seed", range(amount(60, 400)))
+def test_no_wheel_turns_faster_than_wheels_do(seed: int) -> None:
+    values = solved(variants.deal("planetary", seed)).values
+    for name in ("n_out", "n_2"):
+        assert abs(values[name]) <= 6000 * pi / 30 * (1 + 1e-12), values  # type: ignore[arg-type]
+
+
 def named(held: Literal["first", "last"], driver: Literal["wheel", "carrier"], **lines: str) -> str | None:
     """Give the mistake by which the answers that follow from other lines are explained."""
     variant = Variant("planetary", 1, 1, Givens(WHEELS, 100.0, held, driver))

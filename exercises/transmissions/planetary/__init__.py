@@ -16,6 +16,7 @@ from mechanics import gear_train, willis
 
 RPM = pi / 30  # rad/s
 PLANETS = 3
+FASTEST = 6000 * RPM  # nothing turns faster: a train driven far above it from a wheel would lock itself
 SUNS, PLANET_TEETH, RIMS = range(18, 49), range(17, 45), range(17, 61)
 
 
@@ -28,14 +29,26 @@ class Givens:
 
 
 def draw(rng: Draw) -> Givens:
-    """Draw the kind of train, teeth that are coaxial and clear of one another, the held wheel and the driver."""
+    """Draw the kind of train, coaxial teeth clear of one another, held wheel and driver; nothing runs away."""
     train = rng.pick(("single", "single", "outer", "ring"))
     sun, planet = rng.pick(SUNS), rng.pick(PLANET_TEETH)
     wheels = single(rng, sun, planet) if train == "single" else block(rng, sun, planet, train == "ring")
     if not willis.planets_clear(sun, planet, PLANETS):
         rng.reject()
     speed = rng.pick((480, 600, 720, 750, 900, 960, 1000, 1440, 1450, 1500))
-    return Givens(wheels, speed * RPM, rng.pick(("first", "last")), rng.pick(("wheel", "carrier")))
+    givens = Givens(wheels, speed * RPM, rng.pick(("first", "last")), rng.pick(("wheel", "carrier")))
+    return rng.reject() if fastest(givens) > FASTEST else givens
+
+
+def fastest(givens: Givens) -> float:
+    """Give the largest speed of free central wheel, carrier and planet, in rad/s."""
+    ratio = float(willis.planetary_ratio(stages(givens.wheels), givens.held))
+    wheel, carrier = (
+        (givens.n_in, givens.n_in / ratio) if givens.driver == "wheel" else (givens.n_in * ratio, givens.n_in)
+    )
+    against = (0.0 if givens.held == "first" else wheel) - carrier  # of the first wheel
+    planet = carrier - against * givens.wheels[0].z / givens.wheels[1].z
+    return max(map(abs, (wheel, carrier, planet)))
 
 
 def single(rng: Draw, sun: int, planet: int) -> tuple[Wheel, ...]:
@@ -170,7 +183,7 @@ def carrier_forgotten(givens: Givens) -> Steps:
 
 EXERCISE = Exercise(
     systems=("TR-5",),
-    version=2,
+    version=3,
     givens=Givens,
     draw=draw,
     steps=steps,
