@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+from math import hypot
+
 import pytest
 
 from exercises import variants
 from exercises.exercise import Submission
+from exercises.givens import numbers
 from exercises.grading import grade, reference
 from exercises.manipulators import _arm
 from exercises.manipulators._arm import Side, Sides, motion
@@ -13,6 +17,7 @@ from exercises.manipulators._arm.motion import Arm
 from exercises.solving import evaluate, solved
 from figures.machine import Pair
 from graders import Code, Outcome, Verdict
+from tests.depth import amount
 
 ARMS = ("tmm2_oop", "tmm2_opo", "tmm2_poo")
 RELATIVE = next(seed for seed in range(50) if variants.deal("tmm2_oop", seed).givens.measured == "relative")
@@ -155,3 +160,18 @@ def test_the_judges_of_an_arm_share_its_true_motion(arm: str) -> None:
     found = solved(variants.deal(arm, 3))
     polygon, *rates = [found.reference(name).alone() for name in ("polygon", "velocities", "accelerations")]
     assert rates == [polygon, polygon]
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_no_speed_of_the_node_c_is_the_small_difference_of_large_terms(arm: str) -> None:
+    """Four significant figures of the terms leave three of the result."""
+    sides = import_module(f"exercises.manipulators.{arm}").SIDES
+    for seed in range(amount(100, 500)):
+        known = solved(variants.deal(arm, seed))
+        names = {**known.values, **numbers(known.variant.givens)}
+        near = (sides[known.variant.givens.slide] if isinstance(sides, dict) else sides)[:2]
+        _, _, v_x, a_x, v_y, a_y = _arm.terms(near)
+        for name, along, up in (("v_C", v_x, v_y), ("a_C", a_x, a_y)):
+            values = ([evaluate(term, names) for term in found] for found in (along, up))
+            size = hypot(*(sum(abs(one) for one in found if isinstance(one, float)) for found in values))
+            assert names[name] >= 0.19 * size, (seed, name)  # type: ignore[operator]

@@ -38,6 +38,7 @@ class Side:
 
 
 Sides = tuple[Side, Side, Side]
+Part = tuple[Side, ...]  # of a polygon
 Term = tuple[str, str]  # what it is, and the term with its sign
 REPORT = {  # sections of report TMM-2 (RP-1) and the answers that fill them
     4: ("aim",),
@@ -138,9 +139,12 @@ def steps(directions: Steps, sides: Sides) -> Steps:
     }
 
 
-@lru_cache(maxsize=16)  # all sides that the arms have
-def terms(sides: Sides) -> tuple[tuple[str, ...], ...]:
-    """Give the terms of every component of place, velocity and acceleration of the gripper."""
+@lru_cache(maxsize=16)  # all sides that the arms have, and those up to C
+def terms(sides: Part) -> tuple[tuple[str, ...], ...]:
+    """Give the terms of every component of place, velocity and acceleration of the end of some sides.
+
+    First x and y; then velocity and acceleration along x, and both along y.
+    """
     places = (tuple(place((side,), axis) for side in sides) for axis in AXES)
     rates = ([term for side in sides for _, term in kind(side, axis)] for axis in AXES for kind in RATES)
     return (*places, *map(tuple, rates))

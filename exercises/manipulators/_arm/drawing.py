@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi, radians, remainder
+from math import hypot, pi, radians, remainder
 
 from exercises.draw import Draw
 from exercises.exercise import Steps, Value
@@ -48,7 +48,17 @@ def clear(start: dict[str, float], steps: Steps, sides: Sides) -> bool:
         if name == "x_D" and not (_turned(start, values) and all(_whole(found, values) for found in terms(sides))):
             return False  # the directions tell, and refuse four of five draws
         values[name] = evaluate(line, values)
-    return abs(_number("k_v", values) - 1) > CANCELLED
+    return abs(_number("k_v", values) - 1) > CANCELLED and _node_moves(sides, values)
+
+
+def _node_moves(sides: Sides, values: dict[str, Value]) -> bool:
+    """Tell whether velocity and acceleration of the node C are no small difference of their terms."""
+    _, _, *rates = terms(sides[:2])
+    for name, *axes in zip(("v_C", "a_C"), rates[:2], rates[2:], strict=True):
+        sizes = (sum(abs(_number(term, values)) for term in found) for found in axes)
+        if _number(name, values) < CANCELLED * hypot(*sizes):
+            return False
+    return True
 
 
 def _turned(start: dict[str, float], values: dict[str, Value]) -> bool:

@@ -108,6 +108,7 @@ class Laboratory:
         """Make the exercise."""
         return Exercise(
             systems=self.systems,
+            version=2,
             givens=self.givens,
             draw=self.draw,
             steps=self.steps,
