@@ -13,6 +13,7 @@ from typing import TypeAlias
 from flint import arb
 
 from graders.equality import Finding
+from graders.equality.turns import EDGES
 from graders.language.balls import precision
 from graders.language.tree import Binary, Relation, Tree
 from graders.solutions.beside import SLANT, Beside, beside
@@ -39,12 +40,14 @@ LINES = 4  # points through which borders are looked for
 NODES = 33
 NUDGE = 2.0**-30  # of a range
 ASIDE = 0.43  # of the way between two borders: the middle may be a special place
+BESIDE = 1e-4  # of the way: so near to a border a side has the value that it has there
 MOST_BRANCHES = 40  # points in branches, through which borders are looked for
 MOST = 6  # borders of one line
 MOST_CORNERED, CORNER = 5, 1e-3  # symbols whose corners are tested, and how far inside
 EDGE = 1e-6  # of a range: nearer to an end of it a border does not count
 STEEP = 8  # points from which a border that no line met is looked for
 INEQUALITY_WORK = 30_000
+ENDING = EDGES | {"asin", "acos", "^"}  # these have no value somewhere
 Place: TypeAlias = tuple[int, int]  # a side and one of its residuals
 
 
@@ -175,12 +178,25 @@ class Regions:
         places.sort(key=lambda place: float(place.mid()))
         low, high = self.scene.ranges[at]
         for one, two in pairwise([arb(low), *places, arb(high)]):
-            middle = arb((one.mid() + ASIDE * (two.mid() - one.mid())).mid())
             if not one.overlaps(two):
-                found = self._tested(moved([arb(x) for x in start], at, middle))
+                found = self._between(start, at, one, two)
                 if found is not None:
                     return found
         return None
+
+    def _between(self, start: Sequence[float], at: int, one: arb, two: arb) -> Found | None:
+        """Test a stretch between two borders; near its ends too where a side may begin to have a value within it."""
+        for share in self._shares:
+            middle = arb((one.mid() + share * (two.mid() - one.mid())).mid())
+            found = self._tested(moved([arb(x) for x in start], at, middle))
+            if found is not None:
+                return found
+        return None
+
+    @cached_property
+    def _shares(self) -> tuple[float, ...]:
+        ends = any(name in ENDING for name, _ in self.both.program.operations)
+        return (ASIDE, BESIDE, 1 - BESIDE) if ends else (ASIDE,)
 
     def _zeros(self, place: Place, start: Sequence[float], at: int, known: Sequence[Zero]) -> Iterable[Zero]:
         """Give the zeros of a residual on a line; those that are known are not looked for again."""

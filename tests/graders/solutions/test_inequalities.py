@@ -107,3 +107,19 @@ def test_a_border_that_hardly_any_line_meets_is_tested_for_every_seed(seed: int)
     for text in ("l1 + e < l2", "l2 - l1 - e > 1e-9", "e^2 <= (l2 - l1)^2"):
         found = compare_inequalities(relation(text), relation("l1 + e <= l2"), scene)
         assert found.finding is Finding.DIFFERENT
+
+
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("sqrt(y) < a", "sqrt(y)*sqrt(a - b) < a*sqrt(a - b)"),
+        ("sqrt(y) < a/3", "sqrt(y)*sqrt(x - 0.2) < a/3*sqrt(x - 0.2)"),
+        ("a + ln(y) < 0", "0*sqrt(x - 0.2) > a + ln(y)"),
+    ],
+)
+def test_what_holds_between_an_edge_and_a_border_counts_for_every_seed(one: str, other: str, seed: int) -> None:
+    scene = scene_of(("x", "y", "a", "b"), ((0.1, 2), (-2, 2), (0.1, 1), (0.1, 1)), bytes([seed]))
+    for answer, reference in ((one, other), (other, one)):
+        found = compare_inequalities(relation(answer), relation(reference), scene)
+        assert found.finding is Finding.DIFFERENT
