@@ -151,7 +151,7 @@ def _judge(solved: Solved, read: Mapping[str, Any]) -> Judged:
             chosen = _chosen(solved, {name: answer}, {name: verdict})
             with suppress(UndefinedError):  # a table without a value at the numbers of this variant
                 values = solved.again(fixed={**earlier.wrong, **chosen})
-                earlier.chose(chosen)
+                earlier.wrong |= chosen
         judged.verdicts[name] = verdict
     return judged
 

@@ -31,8 +31,7 @@ SETS = 16  # of states that are drawn for a topology
 NO_SECRET = b"grubler"
 Lines: TypeAlias = Mapping[str, Line | Tree]
 Own: TypeAlias = Mapping[str, Value]
-ONE_NUMBER = ("quantity", "rational")
-SEVERAL = ("diagram", "set")
+SEVERAL = ("diagram", "set")  # kinds that are wrong where one of several numbers is
 
 
 def evaluate(line: Line | Tree, values: Mapping[str, Value]) -> Value:
@@ -309,14 +308,12 @@ class Earlier:
     Attributes:
         solved: The variant.
         wrong: Wrong values, and free choices, by step.
-        free: Free choices alone.
         right: Right answers as they were read, by name.
         own: For a wrong answer all values as they follow from the earlier wrong ones.
     """
 
     solved: Solved
     wrong: dict[str, Value | Tree] = field(default_factory=dict)
-    free: dict[str, Value | Tree] = field(default_factory=dict)
     right: dict[str, Any] = field(default_factory=dict)
     own: dict[str, Own] = field(default_factory=dict)
 
@@ -332,17 +329,11 @@ class Earlier:
             self.right[name] = answer
         return verdict
 
-    def chose(self, chosen: Mapping[str, Value | Tree]) -> None:
-        """Keep what the student chose freely."""
-        self.wrong |= chosen
-        self.free |= chosen
-
     def _rounded(self, name: str, answer: Any, verdict: Verdict) -> bool:
         """Tell whether an answer misses by the rounding of earlier right ones alone; one number has to come near."""
         kind = self.solved.answers[name].kind
-        if kind not in SEVERAL and not (kind in ONE_NUMBER and verdict.code is Code.NOT_PRECISE):
-            return False
-        return bool(self.right) and self._right(name, answer, self._from(name, self._typed()))
+        near = kind == "quantity" and verdict.code is Code.NOT_PRECISE
+        return (near or kind in SEVERAL) and self._right(name, answer, self._from(name, self._typed()))
 
     def _followed(self, name: str, answer: Any) -> bool:
         """Tell whether an answer is right when solved from earlier wrong ones, and right ones as they were typed."""
@@ -355,8 +346,8 @@ class Earlier:
         )
 
     def _typed(self) -> dict[str, Value | Tree]:
-        """Give what was chosen freely, and the values of the right answers to the figures typed."""
-        found = dict(self.free)
+        """Give the values of the right answers to the figures typed."""
+        found: dict[str, Value | Tree] = {}
         for name, answer in self.right.items():
             carry(self.solved, name, answer, found)
         return found
