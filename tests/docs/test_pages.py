@@ -114,6 +114,20 @@ def test_the_readme_leads_to_every_page() -> None:
     assert [named(page) for page in pages if f"({named(page)})" not in readme] == []
 
 
+def test_the_guide_to_servers_has_a_row_for_each_variable_that_is_read() -> None:
+    sources = [path.read_text("utf-8") for room in ("cli", "server") for path in sorted((ROOT / room).rglob("*.py"))]
+    read = set(re.findall(r'"(GRUBLER_[A-Z_]+|DATABASE_URL)"', "\n".join(sources)))
+    guide = (DOCS / "how-to" / "run-a-server.md").read_text("utf-8")
+    rows = re.findall(r"^\| (`.*?) \|", guide, re.MULTILINE)
+    assert len(read) > 10 and {name.strip("`") for row in rows for name in row.split(", ")} == read
+
+
+def test_the_guide_to_institutions_gives_what_the_compose_file_asks_for() -> None:
+    asked = set(re.findall(r"\$\{([A-Z_]+):\?", (ROOT / "deploy" / "compose.yaml").read_text("utf-8")))
+    (given,) = [block for block in blocks((DOCS / "how-to" / "scale.md").read_text("utf-8"), "") if "GRUBLER" in block]
+    assert asked and {line.partition("=")[0] for line in given.splitlines()} == asked
+
+
 def test_the_guide_to_exercises_describes_the_files_of_a_folder() -> None:
     guide = (DOCS / "how-to" / "write-an-exercise.md").read_text("utf-8")
     assert all(f"`{name}`" in guide for name in (*catalogue.FILES, "figure.py"))
