@@ -90,9 +90,15 @@ def test_inertia_forces_move_to_another_point_as_a_system_of_forces_does(
     assert moment == pytest.approx(np.add(other_moment, np.cross(shift, force)), abs=1e-9)
 
 
+def test_the_inertia_force_of_what_brakes_points_ahead() -> None:
+    force, moment = balancing.inertia_forces([2.0], [(0.0, 0.5, 0.0)], [(-3.0, 0.0, 0.0)])
+    assert force == (6.0, 0.0, 0.0) and moment == (0.0, 0.0, -3.0)  # above the origin it turns clockwise
+
+
 @pytest.mark.parametrize(
     ("rotor", "x_S", "kind"),
     [
+        ([PointMass(0.2, 0.05, 0.7, 0.1), PointMass(0.1, 0.1, 0.7 + pi, 0.1)], 0.4, "balanced"),  # left of x_S
         ([PointMass(1, 0.1, 0), PointMass(1, 0.1, pi)], 0.0, "balanced"),
         ([PointMass(1, 0.1, 0)], 0.0, "static"),
         ([PointMass(1, 0.1, 0, 0.3)], 0.3, "static"),
