@@ -116,7 +116,7 @@ class _Meaning:
 
 def _either_way(said: Sequence[tuple[str, str]]) -> dict[str, str]:
     """Give what was said of names; `W = omega2` says of either that it is the other."""
-    return {other: name for name, other in said if "_d" not in other} | dict(said)
+    return {other: name for name, other in said} | dict(said)
 
 
 def _indexed(name: str) -> tuple[str, str]:

@@ -217,6 +217,11 @@ def test_a_root_counts_that_steps_do_not_close_in_on() -> None:
         ("y", "a/(y + b) = 1/3", "y = 3*a - b", 800),
         ("w3", "(w1 - w3)/(w2 - w3) = -b/a", "w3*(a + b) = w1*a + w2*b", 800),
         ("y", "|y| = a", "y^2 = a^2", 3500),
+        ("y", "b*(a/(y + 5)) = y/(y + 6)", "a*b*(y + 6) = y*(y + 5)", 2200),
+        ("y", "(a/(y + 5))/(y + 6) = b/9", "9*a = b*(y + 5)*(y + 6)", 2400),
+        ("y", "y/(1 - 1/(y + 5)) = a", "y*(y + 5) = a*(y + 4)", 2800),
+        ("y", "1/(y + 5) - 1/(y + 6) = a/9", "9 = a*(y + 5)*(y + 6)", 2500),
+        ("y", "-1/(y + 5) = y - a", "(a - y)*(y + 5) = 1", 1900),
     ],
 )
 def test_what_shows_all_its_zeros_on_a_line_at_once_is_not_searched(
