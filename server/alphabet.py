@@ -1,16 +1,23 @@
-"""Names in the order of the alphabet: Ć after C, Ł after L, Ё after Е, whatever the store sorts by."""
+"""Names in the order of the alphabet: Ć after C, Ł after L, Ё as Е, L10 after L2, whatever the store sorts by."""
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from unicodedata import normalize
 
+NUMBER, DIGITS = re.compile(r"[0-9]+"), 12  # numbers in a name stand by their value
 BARRED = str.maketrans("łøđħ", "lodh")  # letters with a bar, which Unicode does not take apart
 
 
 def alphabetical(text: str) -> list[tuple[str, str]]:
-    """Give the key to sort names by; a letter with a mark stands after the same letter without one."""
-    return [_placed(letter) for letter in normalize("NFC", text).casefold()]
+    """Give the key to sort names by; a letter with a mark stands after the same letter without one.
+
+    Ё is no letter of its own there, as in Russian lists: it only decides between names that are else the same.
+    """
+    plain = normalize("NFC", text).casefold()
+    counted = NUMBER.sub(lambda found: found[0].zfill(DIGITS), plain.replace("ё", "е"))
+    return [*map(_placed, counted), ("", plain)]
 
 
 @lru_cache(maxsize=4096)

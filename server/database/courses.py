@@ -101,9 +101,9 @@ class Courses:
 
     async def groups(self, course: str) -> Sequence[Group]:
         """List the groups of a course by name."""
-        query = select(groups).where(groups.c.course == course).order_by(groups.c.name)
+        query = select(groups).where(groups.c.course == course)
         rows = await self._connections.read(lambda connection: connection.execute(query).mappings().all())
-        return [Group(**row) for row in rows]
+        return sorted((Group(**row) for row in rows), key=lambda group: alphabetical(group.name))
 
     async def add_group(self, group: Group) -> bool:
         """Store a group; False where the name is taken."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from server.alphabet import alphabetical
@@ -16,6 +18,8 @@ from tests.server.school import NOW, School
     [
         ["Adam", "Ąbera", "Czyż", "Ćma", "Lis", "Luty", "ładny", "Łoś", "Zwykły", "Źrebak", "Żak"],
         ["Елка", "Ёлка", "Иванова", "Йод", "Ким"],
+        ["Екимов", "Ёлкин Адам", "Елкин Борис", "Ерёмин", "Жук"],
+        ["L1", "L2", "L10", "L10a", "M", "Sem 2 gr. 3", "Sem 2 gr. 11"],
         ["", "Öhm", "Ørsted", "Zeuner"],
     ],
 )
@@ -44,3 +48,20 @@ def test_accounts_are_listed_by_the_alphabet_over_all_pages(school: School, monk
         names += [one["name"] for one in part["people"]]
         following = part["next"]
     assert names == ["adamska Ola", "Ćma Róża", "Łoś Ewa", "Zwykły Adam", "Ёлкина Юлия", "Жук Олег"]
+
+
+def test_groups_are_listed_by_their_numbers(school: School) -> None:
+    browser, place = school.browser("lecturer"), f"/api/v1/courses/{school.course}/groups"
+    for name in ("L10", "L2", "Ł1"):
+        assert browser.post(place, json={"name": name}).status_code == 201
+    assert [one["name"] for one in browser.get(place).json()] == ["A", "L2", "L10", "Ł1"]
+
+
+def test_a_long_course_leads_to_its_parts_and_a_long_roster_is_applied_from_the_top(school: School) -> None:
+    browser, path = school.browser("lecturer"), f"/courses/{school.course}"
+    page = browser.get(path).text
+    for part in re.findall(r'<a href="#([\w-]+)">', page[page.index('<nav class="row') :]):
+        assert f'id="{part}"' in page
+    assert page.index('href="#h-copy"') < page.index('id="h-members"')
+    preview = browser.post(f"{path}/roster", data={"roster": "4001;Nowak Jan;A"}).text
+    assert preview.index('form="again" name="apply"') < preview.index("<tbody>")
