@@ -17,7 +17,9 @@ NAMED = re.compile(r"[^\S\n]{0,20}([^\W\d]\w{0,20}'{0,2})[^\S\n]{0,20}=")
 AND = re.compile(r"(?<=[\s)\]}])(?:i|oraz|lub|albo|and|or|и|или)(?=[\s(\[{])")
 NUMBER = r"[-+−–]?\d{1,15}(?:[.,]\d{1,15})?°?"
 IN_A_ROW = re.compile(rf"{NUMBER}(?:[ \u00a0]{{1,9}}{NUMBER}){{1,11}}")  # -29,98 -14,97 95,06
-CELLS = re.compile(r"(?<![\s=;,(\[{])( {0,9})\t(?=[ \t]{0,9}[^\s;,=)\]}])")  # of a spreadsheet
+CELLS = re.compile(  # of a spreadsheet; what stands behind a tab begins a number or is named
+    r"(?<![\s=;,(\[{])( {0,9})\t(?=[ \t]{0,9}(?:[-+−–.\d(\[{√π]|pi\b|[^\W\d]\w{0,20}'{0,2} {0,9}=))"
+)
 COUNTED = re.compile(
     r"(?:^|(?<=[;\n]))[^\S\n]{0,9}(?:\d{1,2}\)|[IVX]{1,4}[.:)]|\d{1,2}\.(?=\s{1,9}[(\[{]))"
 )  # 1) (2; 3)

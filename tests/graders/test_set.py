@@ -54,6 +54,8 @@ def code(text: str, grader: Set = ARM, reference: tuple[tuple[float, ...], ...] 
         "30 °\t-45,5 °\t400 mm\n-150 °\t45,5 °\t500 mm\n",
         "(30;\t-45,5;\t400)\t;\t(-150;\t45,5;\t500)",
         "q1\t=\t30\ttheta2 = -45,5\ts3 = 400\nq1 = -150\ttheta2 = 45,5\ts3 = 500",
+        "30\t°;\t-45,5\t°;\t400\tmm\n-150\t°;\t45,5\tdeg;\t500\tmm",
+        "pi/6\t-45,5\t400\n-5π/6\t45,5\t500",
         "30 -45,5 400\n-150 45,5 500",
         "30°  -45.5°  400; -150°  45.5°  500",
         "1) (30; -45,5; 400)\n2) (-150; 45,5; 500)",
@@ -93,6 +95,8 @@ def test_a_lost_a_surplus_and_a_doubled_branch_are_told_apart(typed: str, found:
 @pytest.mark.parametrize(
     "typed",
     [
+        "12,5\tmm\n30\tmm\n-4\tmm",
+        "12,5\t30\t-4",
         "12,5 mm i 30 mm oraz -4 mm",
         "12,5 и 30 или -4",
         "12,5; 30; -4",
