@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64encode
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -178,3 +179,29 @@ def test_while_results_are_held_nothing_of_the_true_motion_is_shown(page: Page, 
     assert page.locator("[data-link='AB']").get_attribute("class") == "f-link"
     assert page.locator("[data-lab='stage'] .f-ghost").count() == 0
     assert part(page, "distance") == "–"
+
+
+INKED = """async (picture) => {
+  const bytes = Uint8Array.from(atob(picture), (sign) => sign.charCodeAt(0));
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+  const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+  canvas.drawImage(bitmap, 0, 0);
+  const row = (y) => [...canvas.getImageData(0, y, bitmap.width, 1).data].filter((_, at) => at % 4 === 0);
+  return [...Array(bitmap.height).keys()].map((y) => Math.min(...row(y)) < 128);
+}"""
+
+
+def test_the_dot_of_a_rate_stands_free_of_a_tall_letter(browser: Browser, site: Live) -> None:
+    context = browser.new_context(device_scale_factor=4, color_scheme="light")
+    page = context.new_page()
+    desk(page, site.url, "tmm2_oop")
+    page.click("a[href='#givens']")
+    rate = page.locator("#givens td mover", has_text="h˙").first
+    rate.scroll_into_view_if_needed()
+    box = rate.bounding_box()
+    assert box is not None
+    picture = page.screenshot(clip={**box, "y": box["y"] - 4, "height": box["height"] + 4})
+    inked = page.evaluate(INKED, b64encode(picture).decode())
+    begins = [at for at in range(1, len(inked)) if inked[at] and not inked[at - 1]]
+    assert len(begins) == 2, "the dot, and the letter below it"
+    context.close()
