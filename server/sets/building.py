@@ -15,7 +15,7 @@ from pydantic import Field, StrictInt
 from exercises import catalogue
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
-from server.sets.foresight import Scarce, refuse_unfit, scarce
+from server.sets.foresight import Scarce, Uneven, refuse_unfit, scarce, uneven
 from server.sets.reopening import solved_for
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
@@ -152,6 +152,11 @@ async def unfit(bench: Bench, task_set: TaskSet) -> Refused | None:
 async def scarcely(bench: Bench, task_set: TaskSet) -> tuple[Scarce, ...]:
     """Name the tasks of a stored draft whose limits keep too few draws for it to be published."""
     return await bench.judging.run(scarce, [(slot.pool, slot.limits) for slot in task_set.slots])
+
+
+async def unequal(bench: Bench, task_set: TaskSet) -> tuple[Uneven, ...]:
+    """Name the pools of a stored draft of which most cards would differ in their number of steps."""
+    return await bench.judging.run(uneven, [(slot.pool, slot.limits) for slot in task_set.slots])
 
 
 async def _refuse_strange_chance(bench: Bench, new: TaskSet) -> None:

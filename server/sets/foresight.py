@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import combinations
+from statistics import mode
 from typing import Any
 
 from exercises import catalogue
@@ -40,6 +41,14 @@ class Scarce:
     exercise: str
     accepted: int
     draws: int
+
+
+@dataclass(frozen=True, slots=True)
+class Uneven:
+    """A pool of exercises of which most draws differ in their number of steps, with these numbers."""
+
+    slot: int
+    counts: str
 
 
 def refuse_unfit(tasks: Iterable[Task]) -> None:
@@ -83,6 +92,24 @@ def scarce(tasks: Iterable[Task]) -> tuple[Scarce, ...]:
     return tuple(found)
 
 
+def uneven(tasks: Iterable[Task]) -> tuple[Uneven, ...]:
+    """Name the tasks whose pools most likely cannot be published: most draws of their exercises differ in steps."""
+    found = []
+    for slot, (pool, limits) in enumerate(tasks, 1):
+        known = [exercise for exercise in pool if exercise in catalogue.ids()]
+        usual = {one: _usual(one, limits) for one in known} if len(known) > 1 else {}
+        if len(set(usual.values()) - {None}) > 1:
+            found.append(Uneven(slot, "; ".join(f"{one} ({count})" for one, count in usual.items() if count)))
+    return tuple(found)
+
+
+def _usual(exercise: str, limits: Limits) -> int | None:
+    """Tell how many steps most draws within the limits have; None where no draw is within them."""
+    both = zip(_drawn(exercise), _lengths(exercise), strict=True)
+    counts = [length for givens, length in both if kept(givens, limits)]
+    return mode(counts) if counts else None
+
+
 def _refuse_unequal_steps(field: str, known: dict[str, Traits]) -> None:
     """Refuse a pool in which no variant of one exercise is as long as one of another."""
     if any(one.steps.isdisjoint(other.steps) for one, other in combinations(known.values(), 2)):
@@ -100,11 +127,9 @@ def length(exercise_id: str) -> str:
 @lru_cache(maxsize=1024)
 def traits(exercise_id: str) -> Traits:
     """Look through draws of an exercise, whether or not they would be dealt."""
-    exercise = catalogue.load(exercise_id).exercise
     bounds: dict[str, list[Domain]] = {}
-    steps: list[int] = []
+    steps = _lengths(exercise_id)
     for givens in _drawn(exercise_id):
-        steps.append(len(exercise.steps_of(givens)))
         for name, domain in domains(givens).items():
             bounds.setdefault(name, []).append(domain)
     always = {name: _span(found) for name, found in bounds.items() if len(found) == len(steps)}
@@ -113,6 +138,12 @@ def traits(exercise_id: str) -> Traits:
 
 def _span(found: Sequence[Domain]) -> tuple[float, float]:
     return min(one.low for one in found), max(one.high for one in found)
+
+
+@lru_cache(maxsize=64)
+def _lengths(exercise_id: str) -> tuple[int, ...]:
+    exercise = catalogue.load(exercise_id).exercise
+    return tuple(len(exercise.steps_of(givens)) for givens in _drawn(exercise_id))
 
 
 @lru_cache(maxsize=64)

@@ -29,7 +29,7 @@ from server.sets.previewing import preview
 from server.sets.reopening import solved_for
 from server.sets.shapes import MoreTime
 from server.sets.standing import final, standing
-from server.sets.wording import titles_of
+from server.sets.wording import by_titles, titles_of
 from server.storage.sets import DRAFT, PUBLISHING, TaskSet
 from server.web.errors import Refused, printable, wants_page
 from server.web.templating import page
@@ -261,6 +261,7 @@ async def _builder(
         "problem": problem(reader.language, unfit, titles) if unfit else None,
         "wait": None,
         "scarce": await building.scarcely(bench, found) if found.state == DRAFT and not unfit else (),
+        "uneven": await building.unequal(bench, found) if found.state == DRAFT and not unfit else (),
         "firsts": [one for one in await bench.sets.of(found.course) if _may_be_first(one, found)],
         "lecturer": here(reader).role is CourseRole.LECTURER,
         "seen_deadlines": building.deadlines([found]),
@@ -279,6 +280,7 @@ async def _builder(
         "titles": titles,
         "lengths": {one: await bench.judging.run(length, one) for one in titles} if found.state == DRAFT else {},
         "shelves": partial(shelves, titles),
+        "by_titles": by_titles,
     }
     status = refused.status_code if refused else status
     return page(request, reader.language, "builder.html", {**context, **told, **_common(reader)}, status=status)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from server.sets.foresight import Task, refuse_unfit, traits
+from server.sets.foresight import Task, Uneven, refuse_unfit, traits, uneven
 from server.web.errors import Refused
 
 
@@ -45,3 +45,10 @@ def test_what_can_never_be_published_is_told_by_task_and_field(task: tuple[str, 
 def test_givens_that_few_draws_have_are_known() -> None:
     assert {"F1", "F3", "q1"} <= set(traits("beam_diagrams").givens)
     assert traits("stepped_shaft").steps == {14, 18, 22}
+
+
+def test_a_pool_of_which_most_draws_differ_in_steps_is_foreseen_within_the_limits() -> None:
+    pool = ("gear_train", "planetary")
+    assert uneven([(("slider_crank",), {}), (pool, {})]) == (Uneven(2, "gear_train (4); planetary (5)"),)
+    assert uneven([(("slider_crank_polygon", "offset_slider_crank"), {})]) == ()
+    assert uneven([(pool, {name: (0.0, -1.0) for name in traits("gear_train").givens[:1]})]) == ()  # none is within

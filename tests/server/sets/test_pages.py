@@ -501,3 +501,13 @@ def test_limits_are_written_with_the_decimal_mark_of_the_language_and_read_with_
         assert course.lecturer.post(f"{path}?lang={language}", data=form).status_code == 303
         kept = course.lecturer.get(f"/api/v1/task-sets/{path.rpartition('/')[2]}").json()
         assert kept["items"][0]["limits"] == {"l1": [0.05, 0.08]}
+
+
+def test_the_builder_foresees_a_pool_that_most_likely_cannot_be_published(course: Course) -> None:
+    path = started(course)
+    saved(course.lecturer, path, add="gear_train")
+    saved(course.lecturer, path, **{"slot.1.pool": "gear_train planetary"})
+    page = unescape(course.lecturer.get(f"{path}?lang=en").text)
+    assert f"on most of their cards: {title('gear_train')} (4); {title('planetary')} (5)." in page
+    saved(course.lecturer, path, **{"slot.1.pool": "planetary"})
+    assert "on most of their cards" not in course.lecturer.get(f"{path}?lang=en").text
