@@ -30,13 +30,14 @@ def opened(told: bytes) -> Any:
 
 
 def judge(line: socket, log: str) -> None:
-    """Compute until the server closes the line; an interrupt at the keyboard is the server's to heed.
+    """Compute until the server closes the line; a signal to all processes of a server is the server's to heed.
 
     Args:
         line: The judge's end.
         log: The kind of log of the server.
     """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(one, signal.SIG_IGN)
     end_with_parent()
     logs.install(log)
     with suppress(ConnectionError), line, line.makefile("rwb") as ends:
@@ -59,7 +60,7 @@ def answered(told: bytes) -> bytes:
     request, compute, args, keywords = opened(told)
     token = logs.REQUEST.set(request)
     try:
-        return sealed((compute(*args, **keywords), None))
+        return sealed((compute(*args, **keywords), None, None))
     except Exception as error:  # whatever it is, the one who asked is to know
         return _raised(error)
     finally:
@@ -67,10 +68,11 @@ def answered(told: bytes) -> bytes:
 
 
 def _raised(error: Exception) -> bytes:
-    """Write an exception; one that cannot travel is told by its kind."""
+    """Write an exception and where it was raised; one that cannot travel is told by its kind."""
+    place = logs.place(error)
     try:
-        whole = sealed((None, error))
+        whole = sealed((None, error, place))
         opened(whole[LENGTH.size :])
     except Exception:  # an exception's own way of being written may fail in any way
-        return sealed((None, RuntimeError(type(error).__qualname__)))
+        return sealed((None, RuntimeError(type(error).__qualname__), place))
     return whole

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import atexit
 import logging
 from collections import deque
 from collections.abc import Callable
@@ -29,7 +30,7 @@ class Task:
     """What a judge is told, the promise made for it, and how many judges have ended over it."""
 
     told: bytes
-    promise: asyncio.Future[tuple[Any, Exception | None]]
+    promise: asyncio.Future[bytes]
     ended: int = 0
 
 
@@ -48,6 +49,7 @@ class JudgingProcess(JudgingThread):
         self._judge: SpawnProcess | None = None
         self._opening: asyncio.Task[None] | None = None
         self._limit: asyncio.TimerHandle | None = None
+        atexit.register(self._end_judge)  # a server that is interrupted twice closes nothing
 
     def begin(self) -> None:
         """Start the judge before there is anything to judge."""
@@ -62,9 +64,9 @@ class JudgingProcess(JudgingThread):
         """
         task = Task(sealed((logs.REQUEST.get(), compute, args, kwargs)), asyncio.get_running_loop().create_future())
         self._tell(task)
-        made, raised = await task.promise
+        made, raised, place = opened(await task.promise)
         if raised is not None:
-            raise raised
+            raise raised from logs.Elsewhere(place)
         found: T = made
         return found
 
@@ -85,6 +87,7 @@ class JudgingProcess(JudgingThread):
         if self._line is not None:
             self._line.abort()
         self._end_judge()
+        atexit.unregister(self._end_judge)
         super().close()
 
     def _tell(self, task: Task) -> None:
@@ -122,7 +125,7 @@ class JudgingProcess(JudgingThread):
         """Keep the promise of the task that the judge was at."""
         promise = self._tasks.popleft().promise
         if not promise.done():  # else nobody waits any more
-            promise.set_result(opened(told))
+            promise.set_result(told)
         self._watch()
 
     def ended(self) -> None:

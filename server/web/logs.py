@@ -27,12 +27,21 @@ class Plain(logging.Formatter):
 
     def formatException(self, ei: Raised) -> str:  # logging calls it by this name
         """Write where an exception was raised, and the kinds of it and of its causes."""
-        return "".join(traceback.format_tb(ei[2])) + " from ".join(_kinds(ei[1]))
+        return place(ei[1]) if ei[1] is not None else ""
+
+
+class Elsewhere(Exception):
+    """The cause of what was raised in another process: its text is the place, as `place` writes it."""
+
+
+def place(error: BaseException) -> str:
+    """Write where an exception was raised, and the kinds of it and of its causes."""
+    return "".join(traceback.format_tb(error.__traceback__)) + " from ".join(_kinds(error))
 
 
 def _kinds(error: BaseException | None) -> Iterator[str]:
     while error is not None:
-        yield type(error).__qualname__
+        yield f"elsewhere:\n{error}" if isinstance(error, Elsewhere) else type(error).__qualname__
         error = error.__cause__ or error.__context__
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import os
 import signal
+from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
 
@@ -41,4 +42,22 @@ def note(words: str) -> None:
 def interrupt() -> int:
     """What a terminal sends to all processes of the server."""
     os.kill(os.getpid(), signal.SIGINT)
+    return os.getpid()
+
+
+class Unreadable:
+    """What can be written and not be read where it goes."""
+
+    def __reduce__(self) -> tuple[Callable[..., object], tuple[object, ...]]:
+        return int, ("not a number",)
+
+
+def make_unreadable() -> Unreadable:
+    return Unreadable()
+
+
+def be_told_to_end() -> int:
+    """What a supervisor sends to all processes of a group that is to end."""
+    for one in (signal.SIGTERM, signal.SIGHUP):
+        os.kill(os.getpid(), one)
     return os.getpid()

@@ -24,7 +24,15 @@ from server.judging.judging import JudgingEnded
 from server.judging.process import JudgingProcess
 from server.web import logs
 from tests.server.conftest import Live
-from tests.server.judging.tasks import die, die_once, interrupt, note, raise_stubborn
+from tests.server.judging.tasks import (
+    be_told_to_end,
+    die,
+    die_once,
+    interrupt,
+    make_unreadable,
+    note,
+    raise_stubborn,
+)
 
 T = TypeVar("T")
 
@@ -139,6 +147,32 @@ def test_an_interrupt_at_the_keyboard_is_the_server_s_to_heed() -> None:
     assert before == after
 
 
+def test_the_judge_of_a_group_that_is_told_to_end_goes_on_until_the_server_ends() -> None:
+    async def ask(judging: JudgingProcess) -> tuple[int, int]:
+        return await judging.run(be_told_to_end), await judging.run(os.getpid)
+
+    before, after = with_judge(ask)
+    assert before == after
+
+
+def test_what_cannot_be_read_here_fails_for_the_one_who_asked() -> None:
+    async def ask(judging: JudgingProcess) -> Sequence[Any]:
+        both = asyncio.gather(judging.run(make_unreadable), judging.run(pow, 2, 3), return_exceptions=True)
+        return await asyncio.wait_for(both, 30)
+
+    unreadable, power = with_judge(ask)
+    assert isinstance(unreadable, ValueError) and power == 8
+
+
+def test_the_log_tells_where_the_judge_has_raised_and_not_its_words() -> None:
+    async def ask(judging: JudgingProcess) -> Sequence[Any]:
+        return await asyncio.gather(judging.run(int, "typed"), judging.run(raise_stubborn), return_exceptions=True)
+
+    wrong, stubborn = (logs.place(error) for error in with_judge(ask))
+    assert "judge.py" in wrong and wrong.endswith("\nValueError") and "typed" not in wrong
+    assert "in raise_stubborn" in stubborn and stubborn.endswith("\nStubborn")
+
+
 def test_what_the_judge_notes_names_the_request(capfd: pytest.CaptureFixture[str]) -> None:
     async def ask(judging: JudgingProcess) -> None:
         token = logs.REQUEST.set("request-7")
@@ -200,6 +234,25 @@ def test_a_judge_ends_with_a_server_that_is_killed_whatever_it_computes() -> Non
     server.wait()
     server.stdin.close()
     server.stdout.close()
+
+
+LEAVING = """
+import asyncio, os, time
+from server.judging.process import JudgingProcess
+
+async def main():
+    judging = JudgingProcess(1)
+    await judging.run(os.getpid)
+    waiting = asyncio.create_task(judging.run(time.sleep, 600))
+    await asyncio.sleep(0.2)
+
+if __name__ == "__main__":
+    asyncio.run(main())
+"""
+
+
+def test_a_server_that_leaves_without_closing_waits_for_no_judge() -> None:
+    assert subprocess.run([sys.executable, "-c", LEAVING], timeout=60).returncode == 0
 
 
 def children(parent: int) -> list[int]:
