@@ -94,6 +94,13 @@ def test_a_border_of_both_is_looked_for_once() -> None:
     assert INEQUALITY_WORK - both.effort.left < 18_000
 
 
+@pytest.mark.parametrize(("terms", "finding"), [(16, Finding.EQUAL), (40, Finding.UNDECIDED)])
+def test_what_is_dear_is_equal_once_a_point_with_all_its_lines_was_tested(terms: int, finding: Finding) -> None:
+    long = "y < " + "+".join(f"atan(y/{k} + a)" for k in range(2, terms))
+    back = "y < " + "+".join(f"atan(a + y/{k})" for k in range(terms - 1, 1, -1))
+    assert compared(long, back).finding is finding
+
+
 def test_a_hostile_inequality_costs_little() -> None:
     long = "y < " + "+".join(f"asin(y/{k} + a)" for k in range(2, 100))
     back = "y < " + "+".join(f"asin(a + y/{k})" for k in range(99, 1, -1))
