@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
-from math import fsum, pi, sqrt
+from math import pi, sqrt
 from typing import Literal, get_args
 
-from mechanics.checks import finite, in_range, place, positive
+from mechanics.checks import finite, in_range, place, positive, summed
 
 BarSupport = Literal["fixed_free", "free_fixed", "fixed_fixed", "fixed_gap"]
 ROUNDING = 1e-12  # of the length: a printed place this near to an end of a segment is at that end
@@ -148,7 +148,7 @@ def solve(bar: Bar) -> BarResult:
     left = 0.0 if bar.support == "free_fixed" else -_total(bar) - right
     pieces = tuple(_piece(stretch, N + right) for stretch, N in zip(stretches, outer, strict=True))
     found = BarResult(BarReactions(left, right), pieces, _shifts(bar, places, pieces), closed)
-    in_range(found.sigma_abs_max + fsum(shift.u for shift in found.u))
+    in_range(found.sigma_abs_max + summed(shift.u for shift in found.u))
     return found
 
 
@@ -160,7 +160,7 @@ def _segment(bar: Bar, right: float) -> BarSegment:
 
 
 def _total(bar: Bar) -> float:
-    return fsum([*(force.F for force in bar.forces), *(one.q * one.L for one in bar.segments)])
+    return summed([*(force.F for force in bar.forces), *(one.q * one.L for one in bar.segments)])
 
 
 def _outer(bar: Bar, places: Sequence[float]) -> list[float]:
@@ -173,7 +173,7 @@ def _outer(bar: Bar, places: Sequence[float]) -> list[float]:
             for one, (start, end) in zip(bar.segments, pairwise(bar.ends), strict=True)
             if end > right
         ]
-        found.append(fsum([*forces, *spread]))
+        found.append(summed([*forces, *spread]))
     return found
 
 
@@ -189,11 +189,11 @@ def _right_reaction(bar: Bar, stretches: Sequence[Stretch], outer: Sequence[floa
         return 0.0, None
     if bar.support == "free_fixed":
         return -_total(bar), None
-    free = fsum(_elongation(stretch, N) for stretch, N in zip(stretches, outer, strict=True))
+    free = summed(_elongation(stretch, N) for stretch, N in zip(stretches, outer, strict=True))
     allowed = bar.gap_right or 0.0
     if bar.support == "fixed_gap" and free <= allowed:
         return 0.0, free == allowed
-    flexibility = fsum((x2 - x1) / (one.E * one.A) for x1, x2, one in stretches)
+    flexibility = summed((x2 - x1) / (one.E * one.A) for x1, x2, one in stretches)
     return (allowed - free) / flexibility, True if bar.support == "fixed_gap" else None
 
 

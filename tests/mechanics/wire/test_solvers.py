@@ -236,6 +236,7 @@ FOUR_BAR = {
         ("beam", {"L": 1e-300, "E": 2e11, "I": 1e-6, "supports": [{"x": 0, "type": "fixed"}]}),
         ("bar", {"segments": [{"L": 0.5, "A": 5e-324, "E": 2e11}], "forces": [{"x": 0.5, "F": 100}]}),
         ("shaft", {"G": 8e10, "segments": [{"L": 1, "D": 1e-60}], "torques": [{"x": 1, "T": 1e200}]}),
+        ("bar", {"segments": [{"L": 5, "A": 1, "E": 1, "q": q} for q in (1e308, -1e308)]}),
         ("balance", {**FOUR_BAR, "m1": 1e308, "s1": 4, "s3": -1e308}),
         (
             "reduction",
