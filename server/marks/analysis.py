@@ -4,7 +4,8 @@ Sources: discrimination is the corrected item-total correlation (Nunnally and Be
 1994, chapter 8). Fairness is Fisher's exact test (Fisher, Statistical Methods for Research Workers, 5th ed., 1934,
 section 21.02; two-sided: the tables no more probable than the one found), each variant against all others of its task,
 with the correction of Holm (A simple sequentially rejective multiple test procedure, Scandinavian Journal of
-Statistics 6, 1979) over the variants of the task.
+Statistics 6, 1979) over the variants of the task. A correlation counts as negative where Fisher's z (section 35 of the
+same book) lies so far below 0 as chance alone leads to in 5 % of classes.
 """
 
 from __future__ import annotations
@@ -12,12 +13,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from math import comb, sqrt
+from math import atanh, comb, sqrt
 from statistics import fmean, median
 from typing import TypeVar
 
 LEAST = 5  # people: a smaller group is not shown
 LEVEL = 0.05  # of all tests of a task together
+BELOW = -1.645  # standard deviations of Fisher's z: 5 % of the normal distribution lie lower
 CLOSE = 1e-9  # relative: probabilities that differ by rounding are the same
 TOP = 5  # commonest wrong answers that are listed
 T = TypeVar("T", bound=Hashable)
@@ -83,6 +85,11 @@ class Analysis:
     wrong: tuple[tuple[tuple[str, str, str], int], ...]
     groups: tuple[Fairness, ...]
 
+    @property
+    def against(self) -> bool:
+        """Whether students who are good in the rest lose points here, by more than chance may lead to."""
+        return self.separates is not None and negative(self.separates, self.students)
+
 
 def analysed(tries: Sequence[Try], rest: Mapping[str, float]) -> Analysis:
     """Sum one task up.
@@ -111,6 +118,12 @@ def common(each: Iterable[frozenset[T]]) -> list[tuple[T, int]]:
     counts = Counter(thing for things in each for thing in things)
     enough = [(thing, times) for thing, times in counts.items() if times >= LEAST]
     return sorted(enough, key=lambda one: (-one[1], str(one[0])))[:TOP]
+
+
+def negative(correlation: float, students: int) -> bool:
+    """Tell whether a correlation is below 0 by more than chance may lead to in a class of that size."""
+    bounded = max(-1 + CLOSE, min(1 - CLOSE, correlation))
+    return atanh(bounded) * sqrt(max(0, students - 3)) < BELOW
 
 
 def correlation(one: Sequence[float], other: Sequence[float]) -> float | None:

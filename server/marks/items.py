@@ -62,13 +62,17 @@ class ShownAlternative(BaseModel):
 
 
 class ItemStatistics(BaseModel):
-    """What a class did in a task. Numbers behind which stand fewer than five students are none."""
+    """What a class did in a task. Numbers behind which stand fewer than five students are none.
+
+    `against`: who is good in the rest loses points here, by more than chance may lead to.
+    """
 
     number: int
     students: int
     success: float | None
     solved: float | None
     separates: float | None
+    against: bool
     attempts: float | None
     minutes: float | None
     mistakes: list[ShownMistake]
@@ -142,7 +146,7 @@ def shown_item(item: Item, language: str) -> ItemStatistics:
     found = item.found
     return ItemStatistics(
         number=item.slot.number, students=found.students, success=found.success, solved=found.solved,
-        separates=found.separates, attempts=found.attempts, minutes=found.first_right,
+        separates=found.separates, against=found.against, attempts=found.attempts, minutes=found.first_right,
         mistakes=[ShownMistake(name=name, text=worded(name, language), share=s) for name, s in found.mistakes],
         wrong=[
             ShownWrong(answer=name, text=text, mistake=worded(mistake, language) if mistake else None, students=times)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from server.marks.analysis import LEAST, Try, analysed, common, correlation, fairness, fisher, holm
+from server.marks.analysis import LEAST, Try, analysed, common, correlation, fairness, fisher, holm, negative
 from tests.depth import amount
 
 PAIRS = st.lists(st.tuples(st.floats(0, 1), st.floats(0, 40)), min_size=3, max_size=40)
@@ -88,6 +88,23 @@ def test_fewer_than_five_people_are_hidden_wherever_they_stand() -> None:
     assert common(each) == [("x", LEAST)]
     quick = [Try(str(n), "a", 1.0, 1, 3.0 if n < LEAST - 1 else None) for n in range(9)]
     assert analysed(quick, {}).first_right is None
+
+
+@pytest.mark.parametrize(
+    ("correlation", "students", "told"),
+    [(-0.05, 39, False), (-0.13, 300, True), (-0.26, 39, False), (-0.27, 39, True), (-1.0, 5, True), (-0.8, 5, False),
+     (1.0, 5, False), (0.3, 300, False)],
+)  # fmt: skip
+def test_only_a_correlation_that_chance_hardly_leads_to_is_called_negative(
+    correlation: float, students: int, told: bool
+) -> None:
+    assert negative(correlation, students) is told
+
+
+def test_chance_alone_calls_about_one_task_in_twenty_negative() -> None:
+    rng = np.random.default_rng(7)
+    pairs = rng.normal(size=(2000, 2, 40))
+    assert 0.04 < fmean(negative(float(np.corrcoef(one, other)[0, 1]), 40) for one, other in pairs) < 0.06
 
 
 def test_a_class_worked_by_hand() -> None:
