@@ -15,7 +15,7 @@ from pydantic import Field, StrictInt
 from exercises import catalogue
 from server.people.api import Strict
 from server.sets.clock import NoSuchMoment, read, shifted, zone
-from server.sets.foresight import Scarce, Uneven, refuse_unfit, scarce, uneven
+from server.sets.foresight import Scarce, Task, Uneven, length, refuse_unfit, scarce, uneven
 from server.sets.reopening import solved_for
 from server.sets.rules import Rules, window
 from server.storage.audit import Action, Entry
@@ -137,13 +137,25 @@ def _pool(item: Item, at: int) -> tuple[str, ...]:
 async def _refuse_what_cannot_be(bench: Bench, new: TaskSet, draft: Draft) -> None:
     await _refuse_strange_chance(bench, new)
     tasks = [(_pool(item, at), item.limits) for at, item in enumerate(draft.items)]
+    await _looked_through(bench, tasks)
     await bench.judging.run(refuse_unfit, tasks)
+
+
+async def _looked_through(bench: Bench, tasks: Sequence[Task]) -> None:
+    """Let the judge look through exercises one at a time: what students hand in goes between."""
+    for exercise in dict.fromkeys(name for pool, _ in tasks for name in pool if name in catalogue.ids()):
+        await bench.judging.run(length, exercise)
+
+
+def _tasks(task_set: TaskSet) -> list[Task]:
+    return [(slot.pool, slot.limits) for slot in task_set.slots]
 
 
 async def unfit(bench: Bench, task_set: TaskSet) -> Refused | None:
     """Tell why a stored draft can never be published, as far as that is known: exercises change."""
+    await _looked_through(bench, _tasks(task_set))
     try:
-        await bench.judging.run(refuse_unfit, [(slot.pool, slot.limits) for slot in task_set.slots])
+        await bench.judging.run(refuse_unfit, _tasks(task_set))
     except Refused as refused:
         return refused
     return None
@@ -151,12 +163,14 @@ async def unfit(bench: Bench, task_set: TaskSet) -> Refused | None:
 
 async def scarcely(bench: Bench, task_set: TaskSet) -> tuple[Scarce, ...]:
     """Name the tasks of a stored draft whose limits keep too few draws for it to be published."""
-    return await bench.judging.run(scarce, [(slot.pool, slot.limits) for slot in task_set.slots])
+    found = [await bench.judging.run(scarce, [task]) for task in _tasks(task_set)]
+    return tuple(replace(one, slot=slot) for slot, told in enumerate(found, 1) for one in told)
 
 
 async def unequal(bench: Bench, task_set: TaskSet) -> tuple[Uneven, ...]:
     """Name the pools of a stored draft of which most cards would differ in their number of steps."""
-    return await bench.judging.run(uneven, [(slot.pool, slot.limits) for slot in task_set.slots])
+    found = [await bench.judging.run(uneven, [task]) for task in _tasks(task_set)]
+    return tuple(replace(one, slot=slot) for slot, told in enumerate(found, 1) for one in told)
 
 
 async def _refuse_strange_chance(bench: Bench, new: TaskSet) -> None:

@@ -86,10 +86,13 @@ def troubles(job: Job) -> list[Trouble]:
 
 
 async def one_more(bench: Bench, task_set: TaskSet, slot: Slot) -> None:
-    """Draw one more spare card where a deck has run out."""
+    """Draw one more spare card where a deck has run out; limits may take thousands of draws, beside the judging."""
     plans = planned(task_set, (f"added {ids.new()}",))
     plan = next(plan for plan in plans if plan.slot == slot.id)
-    drawn = await bench.judging.run(_drawn, bench.secret, plan)
+    if plan.limits:
+        (drawn,) = await bench.judging.apart(_drawn, [(bench.secret, plan)])
+    else:
+        drawn = await bench.judging.run(_drawn, bench.secret, plan)
     await bench.sets.append(stored(slot.id, 0, drawn, None))
 
 
