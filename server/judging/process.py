@@ -20,7 +20,7 @@ from server.judging.judging import JudgingEnded, P, T, graded
 from server.judging.thread import JudgingThread
 from server.web import logs
 
-LONGEST = 60.0  # s for one task; a judge that takes longer is ended
+LONGEST = 30.0  # s for one task; a judge that takes longer is ended
 TRIES = 2  # judges that may end over one task
 notes = logging.getLogger("grubler")
 
@@ -103,7 +103,7 @@ class JudgingProcess(JudgingThread):
         """Start a judge and tell it all that waits."""
         try:
             self._line = await self._started()
-        except OSError:
+        except Exception:  # whatever it is, nobody is left waiting
             notes.exception("no judge can be started")
             while self._tasks:
                 self._give_up()
