@@ -5,10 +5,11 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from typing import TypeVar
 
 from sqlalchemy import Connection
-from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 from server.database import trial
 from server.database.engine import READERS, engine
@@ -45,7 +46,8 @@ class Connections:
         failures = self._writer.failures
         if failures == self._proved:
             return
-        await self.write(trial.fill)
+        with suppress(IntegrityError):  # another server tries at this moment, and has written the same
+            await self.write(trial.fill)
         await self.write(trial.clear)
         self._proved = failures
 
