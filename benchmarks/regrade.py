@@ -75,12 +75,12 @@ def hand_in(connection: Any, seed: int) -> None:
     who, variant = f"person {seed:06}", deal(EXERCISE, seed)
     stored, reference = dump(variant), verifying.record(variant)
     asked = catalogue.load(EXERCISE).exercise.answers_of(variant.givens)
-    shown = {"pl": {"answers": {name: {"weight": grader.weight} for name, grader in asked.items()}}}
+    weights = {name: grader.weight for name, grader in asked.items()}
     connection.execute(insert(owners), {"id": who, "anonymous": False, "created": NOW})
     connection.execute(insert(persons), {"id": who, "name": who, "role": "student", "active": True, "created": NOW})
     connection.execute(insert(variants), stored | {"id": who, "owner": who, "created": NOW, "last_used": NOW})
-    card = {"id": who, "slot": "T", "number": seed + 1, "code": str(seed), "shown": shown, "reference": reference,
-            "person": who, "turn": 1, "variant": who, "dealt": NOW}  # fmt: skip
+    card = {"id": who, "slot": "T", "number": seed + 1, "code": str(seed), "shown": {}, "reference": reference,
+            "weights": weights, "person": who, "turn": 1, "variant": who, "dealt": NOW}  # fmt: skip
     connection.execute(insert(deck), stored | card)
     wrong = [reference["texts"] | {"l3": f"{turn + 1}00,5 mm"} for turn in range(PER_VARIANT // 2)]
     handed = [
