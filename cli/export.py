@@ -34,6 +34,8 @@ def arguments(parser: ArgumentParser) -> None:
 
 def run(options: Namespace) -> int:
     """Print what is asked for and nothing else."""
+    if options.person is not None and options.pseudonyms:
+        raise Unusable("pseudonym_of_one", login=options.person)
     settings = store.settings(options)
     with store.usable():
         server.migrate(settings)

@@ -37,6 +37,11 @@ def test_a_person_is_exported_and_erased(store: str, capsys: pytest.CaptureFixtu
     assert run(capsys, "export", "--person", "anna", "--data-dir", store)[0] == 2
 
 
+def test_what_is_kept_of_a_person_has_no_pseudonym(store: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, "export", "--person", "anna", "--pseudonyms", "--data-dir", store)
+    assert (code, out) == (2, "") and "--pseudonyms" in err
+
+
 @pytest.mark.parametrize(("command", "who"), [("export", "nobody"), ("erase", "nobody"), ("erase", "root")])
 def test_who_is_not_there_or_administers_is_unusable(
     store: str, capsys: pytest.CaptureFixture[str], command: str, who: str
