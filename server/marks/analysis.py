@@ -32,7 +32,7 @@ class Try:
     Attributes:
         who: The student, by any number; none of it comes out.
         group: What was dealt: of a pool the exercise, else the card.
-        share: The share of the points earned; none where nothing was judged.
+        share: The share of the points before lateness and hints take any off; none where nothing was judged.
         attempts: How many attempts were counted.
         first_right: Minutes from opening to the first full points; none without them.
         mistakes: The named mistakes that were recognised, each once.
@@ -96,7 +96,7 @@ def analysed(tries: Sequence[Try], rest: Mapping[str, float]) -> Analysis:
 
     Args:
         tries: What each student did in it.
-        rest: The points of each student in all other tasks of the set.
+        rest: The points of each student in all other tasks of the set, before anything was taken off.
     """
     judged = [one for one in tries if one.share is not None]
     if len(judged) < LEAST:

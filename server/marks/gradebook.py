@@ -87,12 +87,15 @@ class Cell(NamedTuple):
 
     @property
     def state(self) -> str:
-        """The state at a glance: an outcome, `unreadable` for work without a judged answer, or `open` for no work."""
+        """The state at a glance: an outcome, `unreadable` for work without a judged answer, or `open` for no work.
+
+        Right is right, whatever late work and hints lose of its points.
+        """
         if self.open is not None:
             return self.open
         if self.share is None:
             return "unreadable" if self.handed else "open"
-        return "right" if self.share >= 1 else "partly" if self.share > 0 else "wrong"
+        return "right" if self.before >= self.slot.points else "partly" if self.before > 0 else "wrong"
 
 
 @dataclass(frozen=True, slots=True)

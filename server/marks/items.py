@@ -18,7 +18,7 @@ from server.marks.analysis import Analysis, Try, analysed
 from server.marks.counting import entries
 from server.marks.gradebook import Cell, Gradebook, Material, Row, computed, material, students
 from server.sets.handing import rules_of
-from server.sets.rules import Rules
+from server.sets.rules import Rules, kept
 from server.storage import Handed
 from server.storage.sets import Line, Slot, TaskSet
 from server.workbench import Bench
@@ -100,7 +100,9 @@ def _items(found: Material, lines: Sequence[Line], handed: Mapping[str, Handed])
 
 
 def _rest(book: Gradebook, at: int) -> dict[str, float]:
-    return {row.member.person.id: row.points - row.cells[at].points for row in book.rows}
+    return {
+        row.member.person.id: sum(cell.before for cell in row.cells[:at] + row.cells[at + 1 :]) for row in book.rows
+    }
 
 
 def _tries(
@@ -120,6 +122,7 @@ def _try(
     assert cell.card is not None
     ledger = entries(lines, found.marks, found.weights, rules)
     first = next((entry.time for entry in ledger if entry.share >= 1), None)
+    best = kept(ledger, row.window.due, rules)
     exercise = cell.card.exercise
     named = {line.receipt: _mistake(line, exercise) for line in lines}
     wrong = {
@@ -129,7 +132,7 @@ def _try(
         if OUTCOMES[Code(verdict["code"])] is Outcome.WRONG
     }
     return Try(
-        row.member.person.id, exercise, cell.share, cell.counted,
+        row.member.person.id, exercise, None if best is None else best.share, cell.counted,
         None if first is None else max(0.0, (first - cell.card.dealt).total_seconds() / 60),
         frozenset(one for one in named.values() if one), frozenset(wrong),
     )  # fmt: skip

@@ -77,6 +77,11 @@ class Window:
             return Stage.CLOSED
         return Stage.LATE if self.due is not None and now > self.due else Stage.OPEN
 
+    @property
+    def late_until(self) -> datetime | None:
+        """Until when late work is taken; none where it is refused, and where it is taken without end."""
+        return self.closes if self.due is not None and self.closes is not None and self.closes > self.due else None
+
 
 def window(
     opens: datetime | None, due: datetime | None, closes: datetime | None, rules: Rules,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import timedelta
 from typing import Any
 
 import pytest
 
-from server.marks.gradebook import Material
+from server.marks.gradebook import Material, computed
 from server.marks.items import _items, shown_item, worded
 from server.storage import Handed
 from server.storage.courses import Member
@@ -65,3 +66,13 @@ def test_a_class_below_five_is_told_nothing_and_students_see_no_analysis(course:
     assert "Fewer than five have been judged." in page and "Fisher" in page
     for path in (f"/api/v1/task-sets/{number}/statistics", f"/sets/{number}/analysis"):
         assert course.student.get(path).status_code == 403
+
+
+def test_late_work_loses_points_but_its_task_is_solved() -> None:
+    found, lines, handed = classroom()
+    due = NOW + timedelta(minutes=5)
+    task_set = replace(found.task_set, due=due, closes=None, rules={"late": "reduced", "late_loss": 0.25})
+    late = replace(found, task_set=task_set)
+    (item,), (cell, *_) = _items(late, lines, handed), computed(late).rows[-1].cells
+    assert (item.found.solved, item.found.success) == (7 / 12, 7 / 12)
+    assert (cell.state, cell.late, cell.points) == ("right", True, 0.75 * SET.slots[0].points)
