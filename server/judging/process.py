@@ -116,8 +116,13 @@ class JudgingProcess(JudgingThread):
     async def _started(self) -> asyncio.WriteTransport:
         here, there = socketpair()
         with there:
-            self._judge = get_context("spawn").Process(target=judge, args=(there, self._log), daemon=True)
-            self._judge.start()
+            made = get_context("spawn").Process(target=judge, args=(there, self._log), daemon=True)
+            try:
+                made.start()
+            except BaseException:
+                here.close()
+                raise
+        self._judge = made
         line, _ = await asyncio.get_running_loop().create_connection(lambda: Line(self), sock=here)
         return line
 

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Awaitable, Callable, Sequence
+from multiprocessing.context import SpawnProcess
 from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
@@ -196,6 +197,18 @@ def test_where_no_judge_can_be_started_all_is_given_up(monkeypatch: pytest.Monke
 
     *refused, power = with_judge(ask)
     assert [type(error) for error in refused] == [JudgingEnded, JudgingEnded] and power == 16
+
+
+def test_a_server_whose_judge_no_process_could_be_made_for_still_closes(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(process: object) -> NoReturn:
+        raise BlockingIOError("no more processes")
+
+    async def ask(judging: JudgingProcess) -> Sequence[Any]:
+        return await asyncio.gather(judging.run(pow, 2, 2), return_exceptions=True)
+
+    monkeypatch.setattr(SpawnProcess, "start", refuse)
+    (refused,) = with_judge(ask)
+    assert isinstance(refused, JudgingEnded)
 
 
 def test_what_waits_when_the_server_ends_is_let_go() -> None:
