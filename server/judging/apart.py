@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import signal
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context, parent_process
 from threading import Thread
@@ -46,14 +47,21 @@ class Processes:
             computing = list((self._pool._processes or {}).values())
             self._pool.shutdown(wait=False, cancel_futures=True)
             for process in computing:
-                process.terminate()
+                process.kill()
             self._pool = None
 
 
 def _begin() -> None:
     """Start a process that computes apart: below the server in the eyes of the system, and ending with it."""
     os.nice(NICE)
+    leave_signals()
     end_with_parent()
+
+
+def leave_signals() -> None:
+    """Leave what a terminal or a service manager sends to all processes of a server to the server."""
+    for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(one, signal.SIG_IGN)
 
 
 def end_with_parent() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import pickle
-import signal
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from io import BufferedRWPair
@@ -11,7 +10,7 @@ from socket import socket
 from struct import Struct
 from typing import Any, TypeAlias
 
-from server.judging.apart import end_with_parent
+from server.judging.apart import end_with_parent, leave_signals
 from server.web import logs
 
 Told: TypeAlias = tuple[str | None, Callable[..., Any], tuple[Any, ...], dict[str, Any]]
@@ -36,8 +35,7 @@ def judge(line: socket, log: str) -> None:
         line: The judge's end.
         log: The kind of log of the server.
     """
-    for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(one, signal.SIG_IGN)
+    leave_signals()
     end_with_parent()
     logs.install(log)
     with suppress(ConnectionError), line, line.makefile("rwb") as ends:
