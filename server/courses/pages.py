@@ -47,14 +47,14 @@ async def change_code(course: str, request: Request, bench: Tools, reader: Askin
     """Give the course another join code, or close joining."""
     values = (await forms.read(request)).values
     await courses.renew_code(bench, reader, values.get("open") == "yes")
-    return _back(course)
+    return back(course, "h-code")
 
 
 @router.post("/courses/{course}/groups")
 async def add_group(course: str, request: Request, bench: Tools) -> Response:
     """Add a group."""
     await courses.new_group(bench, course, (await forms.read(request)).values.get("name", ""))
-    return _back(course)
+    return back(course, "h-groups")
 
 
 @router.post("/courses/{course}/members/{person}")
@@ -64,10 +64,10 @@ async def change_member(course: str, person: str, request: Request, bench: Tools
     member = await courses.found(bench, course, person)
     if values.get("leave") == "yes":
         await courses.remove(bench, reader, member)
-    else:
-        role, group = values.get("role", member.role), values.get("group", member.group or "")
-        await courses.place(bench, reader, member, role, group or None)
-    return _back(course)
+        return back(course, "h-members")
+    role, group = values.get("role", member.role), values.get("group", member.group or "")
+    await courses.place(bench, reader, member, role, group or None)
+    return back(course, f"m-{person}")
 
 
 @router.post("/courses/{course}/members/{person}/link")
@@ -85,7 +85,7 @@ async def import_roster(course: str, request: Request, bench: Tools, reader: Ask
     text = values.get("roster", "")
     if values.get("apply") == "yes":
         await courses.take_roster(bench, reader, text, apply=True)
-        return _back(course)
+        return back(course, "h-members")
     changes, read = await courses.take_roster(bench, reader, text, apply=False)
     context = {
         "course": courses.here(reader).course,
@@ -117,8 +117,9 @@ def _reason(reader: Reader, line: rosters.Unread) -> str:
     return say(reader.language, f"errors.{line.code}", line=line.repeats)
 
 
-def _back(course: str) -> Response:
-    return RedirectResponse(f"/courses/{course}", 303)
+def back(course: str, place: str) -> Response:
+    """Go back to the place on the page of a course whose button was pressed."""
+    return RedirectResponse(f"/courses/{course}#{place}", 303)
 
 
 async def _course(request: Request, bench: Bench, reader: Reader, more: dict[str, Any]) -> HTMLResponse:

@@ -82,7 +82,7 @@ async def change_claims(course: str, body: Claims, bench: Tools, reader: Asking)
 async def undo_claim_from_page(course: str, person: str, bench: Tools, reader: Asking) -> Response:
     """Take a place back and go back to the course."""
     await unclaim(bench, reader, await courses.found(bench, course, person))
-    return RedirectResponse(f"/courses/{course}", 303)
+    return RedirectResponse(f"/courses/{course}#m-{person}", 303)
 
 
 @pages.post("/courses/{course}/links")
@@ -97,7 +97,7 @@ async def link_all_from_page(course: str, bench: Tools, reader: Asking) -> Respo
 async def change_claims_from_page(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Let the course code give away places of the roster, or not, and go back to the course."""
     await let_claim(bench, reader, (await forms.read(request)).values.get("open") == "yes")
-    return RedirectResponse(f"/courses/{course}", 303)
+    return RedirectResponse(f"/courses/{course}#h-code", 303)
 
 
 async def personal_link(bench: Bench, reader: Reader, member: Member) -> str:

@@ -188,7 +188,7 @@ async def extend_set(task_set: str, request: Request, bench: Tools, reader: Aski
 async def extend_course(course: str, request: Request, bench: Tools, reader: Asking) -> Response:
     """Move all open deadlines of a course and tell how many were moved."""
     moved = await _extended(request, bench, reader, await bench.sets.of(course))
-    return RedirectResponse(f"/courses/{course}?moved={moved}", 303)
+    return RedirectResponse(f"/courses/{course}?moved={moved}#h-later", 303)
 
 
 async def _extended(request: Request, bench: Bench, reader: Reader, sets: Sequence[TaskSet]) -> int:

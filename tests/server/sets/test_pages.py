@@ -89,8 +89,10 @@ def test_all_open_deadlines_of_a_course_move_together(course: Course) -> None:
     before = {number: due(course, number) for number in (one, other, closed)}
     form = {"minutes": " 15 ", "seen": seen(course, page)}
     reply = course.lecturer.post(f"{page}/extend", data=form)
-    moved = int(reply.headers["location"].removeprefix(f"{page}?moved="))
-    assert f"Sets moved: {moved}." in course.lecturer.get(reply.headers["location"] + "&lang=en").text and moved >= 2
+    onward, at = reply.headers["location"].split("#")
+    moved = int(onward.removeprefix(f"{page}?moved="))
+    told = course.lecturer.get(f"{onward}&lang=en").text
+    assert f"Sets moved: {moved}." in told and moved >= 2 and f'id="{at}"' in told
     assert due(course, one) - before[one] == due(course, other) - before[other] == timedelta(minutes=15)
     assert due(course, closed) == before[closed]
     again = course.lecturer.post(f"{page}/extend", data=form)  # a second click
