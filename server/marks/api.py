@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from typing import Any
+from urllib.parse import quote
 
 from fastapi import APIRouter, Depends, Response
 
@@ -35,6 +37,8 @@ from server.workbench import Bench, Tools
 
 router = APIRouter(prefix="/api/v1", dependencies=[Depends(admit)], tags=["marks"])
 FILES: dict[int | str, dict[str, Any]] = HERE | {200: {"content": {kind: {} for kind in export.MEDIA.values()}}}
+NOT_IN_NAMES = re.compile(r'[\\/:*?"<>|\x00-\x1f\x7f]+')  # of files, on one system or another
+LONGEST_NAME = 80  # characters; 255 bytes is what a file's name may have
 
 
 @router.get("/task-sets/{task_set}/gradebook", responses=HERE)
@@ -55,7 +59,8 @@ async def export_set(
 ) -> Response:
     """Export the marks of a set as CSV or XLSX; with semicolons numbers have a decimal comma."""
     found = await gradebook.gradebook(bench, await set_of(bench, reader, task_set))
-    return await _file(bench, reader, export.of_set(found, here(reader).course.title, reader.language), form, separator)
+    table = export.of_set(found, here(reader).course.title, reader.language)
+    return await _file(bench, reader, table, form, separator, found.task_set.title)
 
 
 @router.get("/courses/{course}/marks.{form}", response_class=Response, responses=FILES)
@@ -65,17 +70,23 @@ async def export_course(
     """Export the marks of all published sets of a course as CSV or XLSX."""
     found = await gradebook.of_course(bench, course)
     table = export.of_course(found, here(reader).course.title, reader.language)
-    return await _file(bench, reader, table, form, separator)
+    return await _file(bench, reader, table, form, separator, here(reader).course.title)
 
 
 async def _file(
-    bench: Bench, reader: Reader, table: export.Table, form: export.Form, separator: export.Separator
-) -> Response:
+    bench: Bench, reader: Reader, table: export.Table, form: export.Form, separator: export.Separator, title: str
+) -> Response:  # fmt: skip
     content = await asyncio.to_thread(export.written, table, form, separator)
     course = here(reader).course.id
     await bench.audit.note(acts.entry(reader, Action.MARKS_EXPORTED, course, students=len(table.rows)))
-    attached = {"Content-Disposition": f'attachment; filename="marks.{form}"', "Cache-Control": "no-store"}
+    attached = {"Content-Disposition": _attached(title, form), "Cache-Control": "no-store"}
     return Response(content, media_type=export.MEDIA[form], headers=attached)
+
+
+def _attached(title: str, form: export.Form) -> str:
+    """Name a file by what it is of (RFC 6266), without what some system does not take in the name of a file."""
+    named = " ".join(NOT_IN_NAMES.sub(" ", title).split())[:LONGEST_NAME].strip(" .") or "marks"
+    return f"attachment; filename=\"marks.{form}\"; filename*=UTF-8''{quote(f'{named}.{form}', safe='')}"
 
 
 @router.get("/task-sets/{task_set}/progress", responses=HERE)

@@ -11,6 +11,7 @@ from openpyxl import load_workbook
 
 from exercises.grading import reference
 from server.marks import exporting
+from server.marks.api import _attached
 from server.marks.export import Table, inert, written
 from server.sets import handing
 from tests.server.marks.test_api import book
@@ -79,7 +80,8 @@ def test_an_export_holds_what_the_gradebook_says_and_is_written_down(course: Cou
     course.hand_in(course.variant(number, course.other), {"l3": "1 mm"}, who=course.other)
     path, rows = f"/api/v1/task-sets/{number}/marks", book(course, number)
     reply = course.lecturer.get(f"{path}.csv?lang=en")
-    assert reply.headers["content-disposition"] == 'attachment; filename="marks.csv"'
+    named = "attachment; filename=\"marks.csv\"; filename*=UTF-8''%3Dcmd%20%27%20C%20calc%27%21A0.csv"
+    assert reply.headers["content-disposition"] == named
     head, *found = cells(reply.content, ",")
     assert head[:6] == ["Course", "Group", "Index number", "Name", "Task set", "Task 1 (10)"]
     assert {line[4] for line in found} == {"'=cmd|' /C calc'!A0"}
@@ -117,3 +119,11 @@ def test_marks_for_research_name_nobody_and_tell_the_same_person_alike(course: C
         found.append([line[3] for line in lines])
     assert found[0] == found[1] == found[2] == sorted(set(found[0]))
     assert len(found[0]) == 3 and not {"Leaver", "Other", "Student"} & set(found[0])
+
+
+@pytest.mark.parametrize(
+    ("title", "name"),
+    [("Zestaw 3: późne prace", "Zestaw%203%20p%C3%B3%C5%BAne%20prace"), ("..", "marks"), ("Ж" * 200, "%D0%96" * 80)],
+)
+def test_a_file_of_marks_is_named_by_its_set(title: str, name: str) -> None:
+    assert _attached(title, "xlsx") == f"attachment; filename=\"marks.xlsx\"; filename*=UTF-8''{name}.xlsx"
