@@ -15,6 +15,7 @@ import json
 import os
 import random
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from http.client import HTTPConnection, HTTPException
 from multiprocessing import get_context
@@ -22,20 +23,20 @@ from multiprocessing.process import BaseProcess
 from threading import Event, Thread
 from typing import Any
 
-from benchmarks.stores import KINDS, Environment, settings, stores
-from server.run import serve
-from tests.server.stores import free_port
-
+# A judge imports this module too: what it does not need is imported where it is used.
 PROCESSES = get_context("forkserver")  # what a server imports is imported once, so a life costs no more than a start
-PROCESSES.set_forkserver_preload(["benchmarks.kill"])
+PROCESSES.set_forkserver_preload(["benchmarks.kill", "benchmarks.stores", "server.run", "tests.server.stores"])
 START = 180.0  # s
 CLIENTS = 4
-LONGEST_LIFE = 1.0  # s that a server lives at most before it is killed
+LONGEST_LIFE = 1.0  # s that a server lives at most after its judge has dealt a task, before it is killed
 OLD = 20  # receipts of earlier cycles that are looked up again in each cycle
 
 
-def quietly(environment: Environment, port: int) -> None:
+def quietly(environment: Mapping[str, str], port: int) -> None:
     """Serve without limits by address and without a word."""
+    from benchmarks.stores import settings
+    from server.run import serve
+
     with open(os.devnull, "w") as sys.stdout:
         serve(replace(settings({**os.environ, **environment, "GRUBLER_PORT": str(port)}), limited=False))
 
@@ -44,7 +45,7 @@ def quietly(environment: Environment, port: int) -> None:
 class Server:
     """The server that is killed again and again."""
 
-    environment: Environment
+    environment: Mapping[str, str]
     port: int
     process: BaseProcess | None = None
 
@@ -125,6 +126,7 @@ def cycle(server: Server, clients: list[Client], chance: random.Random) -> int:
     threads = [Thread(target=client.hand_in, args=(stop,)) for client in clients]
     for thread in threads:
         thread.start()
+    new_client(server.port)  # the judge is up
     time.sleep(chance.uniform(0, LONGEST_LIFE))
     server.kill()
     stop.set()
@@ -140,12 +142,15 @@ def cycle(server: Server, clients: list[Client], chance: random.Random) -> int:
 
 def main() -> None:
     """Run the cycles and print what was acknowledged and what was lost."""
+    from benchmarks.stores import stores
+    from tests.server.stores import free_port
+
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cycles", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--store", choices=KINDS, default="sqlite")
-    given, port = parser.parse_args(), free_port()
-    chance, lost = random.Random(given.seed), 0
+    parser.add_argument("--store", choices=("sqlite", "postgres"), default="sqlite")
+    given = parser.parse_args()
+    port, chance, lost = free_port(), random.Random(given.seed), 0
     with stores(given.store) as (environment,):
         server = Server(environment, port)
         server.start()
