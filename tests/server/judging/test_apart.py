@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import os
-import subprocess
-import sys
 import time
 from pathlib import Path
 
 from server.judging.thread import JudgingThread
+from tests.server.judging.killed import outlived
 from tests.server.judging.tasks import be_told_to_end
 
 
@@ -62,12 +61,4 @@ if __name__ == "__main__":
 
 
 def test_processes_end_with_a_server_that_is_killed() -> None:
-    """Their number is free once the pipe that they have inherited is closed by the last of them."""
-    server = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    assert server.stdout is not None and server.stdin is not None
-    assert int(server.stdout.readline()) != server.pid
-    server.kill()
-    assert server.stdout.read() == b""  # ends when nobody can write any more
-    server.wait()
-    server.stdin.close()
-    server.stdout.close()
+    assert outlived(PROGRAM) == b""

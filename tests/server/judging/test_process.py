@@ -25,6 +25,7 @@ from server.judging.judging import JudgingEnded
 from server.judging.process import JudgingProcess
 from server.web import logs
 from tests.server.conftest import Live
+from tests.server.judging.killed import outlived
 from tests.server.judging.tasks import (
     be_told_to_end,
     die,
@@ -238,15 +239,7 @@ if __name__ == "__main__":
 
 
 def test_a_judge_ends_with_a_server_that_is_killed_whatever_it_computes() -> None:
-    """Its number is free once the pipe that it has inherited is closed by the last who holds it."""
-    server = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-    assert server.stdout is not None and server.stdin is not None
-    assert int(server.stdout.readline()) != server.pid
-    server.kill()
-    assert server.stdout.read() == b""  # ends when nobody can write any more
-    server.wait()
-    server.stdin.close()
-    server.stdout.close()
+    assert outlived(PROGRAM) == b""
 
 
 LEAVING = """
