@@ -12,8 +12,8 @@ from starlette.testclient import TestClient
 from server.people import personal
 from server.sets.clash import Row, clash
 from server.sets.form import flat, unflat
+from tests.server.sets.builder import fields, saved, started
 from tests.server.sets.conftest import EXERCISE, Course
-from tests.server.sets.test_pages import fields, saved, started
 
 BROWSER = {"accept": "text/html", "accept-language": "en"}
 
