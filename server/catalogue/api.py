@@ -104,3 +104,8 @@ async def described(bench: Bench, exercise: str, language: str) -> Exercise:
 def sample(exercise: str, language: str) -> presenting.Presented:
     """Present one variant of an exercise, always the same, for its card."""
     return presenting.presented(deal(exercise, 0), language)
+
+
+def title(exercise: str, language: str) -> str:
+    """Give the title of an exercise."""
+    return sample(exercise, language).title

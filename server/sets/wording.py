@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from exercises import catalogue, presenting
-from server.catalogue.api import sample
+from exercises import catalogue
+from server.catalogue.api import title
 from server.sets.dealing import Trouble
 from server.web.language import say
 from server.workbench import Bench
@@ -40,5 +40,4 @@ async def title_of(bench: Bench, exercise: str, language: str) -> str:
     """Give the title of an exercise in a language; its id where it is no longer in the catalogue."""
     if exercise not in catalogue.ids():
         return exercise
-    shown: presenting.Presented = await bench.judging.run(sample, exercise, language)
-    return shown.title
+    return await bench.judging.run(title, exercise, language)
